@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "selion/core/point.hpp"
+#include "selion/field/field.hpp"
+
+namespace selion {
+
+/// Between WGS84 and metres in a plane. Copies share one PROJ object: use a copy per thread only after `cloned`.
+class LocalFrame {
+ public:
+  /// Transverse Mercator centred on `origin`, scale 1 there: lengths within 1e-8 over 1 km, 3e-7 over 5 km.
+  static LocalFrame centred(LonLat origin);
+  /// Any projected CRS in metres by its code, "EPSG:2154", moved so that `origin` is (0, 0).
+  /// @throws InputError where PROJ does not know it, or it is not projected in metres.
+  static LocalFrame of_crs(const std::string& code, LonLat origin);
+
+  [[nodiscard]] Point to_local(LonLat p) const;
+  [[nodiscard]] LonLat to_lonlat(Point p) const;
+  [[nodiscard]] const std::string& proj() const { return proj_; }   ///< PROJ string of the plane, false origin included
+  [[nodiscard]] LonLat origin() const { return origin_; }
+  /// Grid convergence at p: bearing of the frame's north (y) clockwise from true north, degrees.
+  [[nodiscard]] double convergence_deg(Point p) const;
+  [[nodiscard]] LocalFrame cloned() const;
+
+ private:
+  struct Projection;
+  LocalFrame(std::string proj, LonLat origin);
+  std::shared_ptr<const Projection> projection_;
+  std::string proj_;
+  LonLat origin_;
+};
+
+/// Centre of all parts of the field, the antimeridian unwrapped.
+LonLat centre(const Field& field);
+
+}  // namespace selion

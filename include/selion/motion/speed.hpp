@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "selion/core/machine.hpp"
+#include "selion/motion/path.hpp"
+
+namespace selion {
+
+/// What is driven: a stretch with its cap (on top of the machine's own limits), or a wait where `wait_s` > 0 (the
+/// stretch then has length 0).
+struct Leg {
+  Stretch stretch;
+  double speed_cap_mps = 0;
+  bool tool_down = false;
+  double wait_s = 0;
+};
+
+/// A moment of the drive. Between two samples acceleration is constant.
+struct Sample {
+  std::size_t leg = 0;
+  double s_m = 0;              ///< along that leg
+  double t_s = 0;
+  Point at;
+  double heading_rad = 0;      ///< of the vehicle, in (-pi, pi]
+  double curvature_per_m = 0;  ///< with respect to travel
+  double speed_mps = 0;        ///< negative in reverse
+  bool tool_down = false;      ///< from here to the next sample
+};
+
+/// Fastest drive over the legs within caps, acceleration, braking, lateral acceleration and steering rate, from and to
+/// rest, resting at changes of gear and at waits. A sample stands at every end of a leg, every corner of the speed
+/// profile, every tool change and wait, and at most 0.25 m apart where the curve bends, 100 m on straights.
+/// Times increase strictly (a wait repeats the position).
+std::vector<Sample> drive(std::span<const Leg> legs, const Machine& machine);
+
+}  // namespace selion

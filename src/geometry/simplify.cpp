@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/geometry/simplify.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace selion {
+namespace {
+
+double distance_to_segment_m(Point p, Point a, Point b) {
+  const Point along = b - a;
+  const double square = dot(along, along);
+  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+  return distance_m(p, a + t * along);
+}
+
+/// Marks the corners to keep between `first` and `last`, ends kept already.
+void keep_between(const Ring& ring, std::size_t first, std::size_t last, double tolerance_m, std::vector<bool>& keep) {
+  std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
+  while (!open.empty()) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    double farthest_m = tolerance_m;
+    std::size_t farthest = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double d = distance_to_segment_m(ring[i], ring[from], ring[to % ring.size()]);
+      if (d > farthest_m) farthest_m = d, farthest = i;
+    }
+    if (farthest == from) continue;
+    keep[farthest] = true;
+    open.emplace_back(from, farthest);
+    open.emplace_back(farthest, to);
+  }
+}
+
+}  // namespace
+
+Ring simplified(const Ring& ring, double tolerance_m) {
+  if (ring.size() < 4) return ring;
+  const auto farther = [&ring](const Point& a, const Point& b) { return distance_m(ring[0], a) < distance_m(ring[0], b); };
+  const auto opposite = static_cast<std::size_t>(std::max_element(ring.begin(), ring.end(), farther) - ring.begin());
+  std::vector<bool> keep(ring.size(), false);
+  keep[0] = keep[opposite] = true;
+  keep_between(ring, 0, opposite, tolerance_m, keep);
+  keep_between(ring, opposite, ring.size(), tolerance_m, keep);
+  Ring out;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (keep[i]) out.push_back(ring[i]);
+  return out.size() < 3 ? ring : out;
+}
+
+}  // namespace selion
