@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Shortcuts; the scripts themselves need no make.
+.PHONY: demo test bench lint format clean
+
+demo:
+	tools/demo.sh
+
+test:
+	tools/test.sh
+
+bench:
+	tools/bench.sh
+
+lint:
+	tools/lint.sh
+
+format:
+	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+clean:
+	rm -rf build
