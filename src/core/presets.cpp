@@ -97,7 +97,7 @@ Machine tractor(const char* name, double width_m) {
   m.track_m = 1.8;
   m.max_steer_deg = 35;
   m.max_steer_rate_deg_s = 25;
-  m.max_speed_mps = 11;
+  m.max_speed_mps = 4;
   m.work_speed_mps = 2.5;
   m.turn_speed_mps = 1.5;
   m.max_accel_mps2 = 0.5;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "selion/core/error.hpp"
 #include "selion/geometry/polygon.hpp"
 
 namespace selion {
@@ -36,11 +37,7 @@ struct P3Direction {
   double rotation_deg = 0;   ///< anticlockwise rotation of the field, 1 ... 180: the paper's angle
   double box_m2 = 0;
 };
-/// Empty vector-free answer: no rotation passes the rule (complex concave fields).
-struct P3Answer {
-  bool found = false;
-  P3Direction best;
-};
-P3Answer p3_direction(const Polygon& area);
+/// Infeasible where no rotation passes the rule (complex concave fields, holes).
+Result<P3Direction> p3_direction(const Polygon& area);
 
 }  // namespace selion

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "selion/geometry/polygon.hpp"
+
+namespace selion {
+
+/// An area whose border is indexed, to ask many times whether something convex fits inside.
+class FreeSpace {
+ public:
+  /// `reach_m`: how far the shapes asked about stretch from their reference point; only speed hangs on it.
+  FreeSpace(const Polygon& area, double reach_m);
+
+  [[nodiscard]] const Polygon& area() const { return area_; }
+  [[nodiscard]] bool holds(Point p) const { return contains(area_, p); }
+  /// Does no part of the border enter the convex `shape` (anticlockwise, two or more corners)? A shape that
+  /// touches no border is inside or outside as a whole: that is for the caller to know.
+  [[nodiscard]] bool clear(const std::vector<Point>& shape) const;
+  /// A quick yes: nothing of the border lies within reach of p.
+  [[nodiscard]] bool far_from_border(Point p) const;
+
+ private:
+  struct Edge {
+    Point a;
+    Point b;
+  };
+  struct Cells {
+    int left, right, bottom, top;
+  };
+  [[nodiscard]] Cells cells_of(Box box) const;
+  [[nodiscard]] std::size_t index(int column, int row) const;
+  void add(std::uint32_t edge, double reach_m);
+
+  Polygon area_;
+  std::vector<Edge> edges_;
+  Point low_;
+  double cell_m_ = 1;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::vector<std::vector<std::uint32_t>> crossing_;  // cell -> edges whose box meets it
+  std::vector<bool> near_;                            // cell -> an edge lies within reach
+};
+
+}  // namespace selion

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/geometry/free_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace selion {
+namespace {
+
+Box box_of(Point a, Point b) {
+  return {{std::min(a.x_m, b.x_m), std::min(a.y_m, b.y_m)}, {std::max(a.x_m, b.x_m), std::max(a.y_m, b.y_m)}};
+}
+
+Box grown(Box box, double by_m) { return {box.low - Point{by_m, by_m}, box.high + Point{by_m, by_m}}; }
+
+/// Is all of segment a-b right of (outside) one edge of the shape, or the shape all on one side of the segment?
+bool apart(const std::vector<Point>& shape, Point a, Point b) {
+  for (std::size_t i = 0, j = shape.size() - 1; i < shape.size(); j = i++) {
+    const Point along = shape[i] - shape[j];
+    if (cross(along, a - shape[j]) <= 0 && cross(along, b - shape[j]) <= 0) return true;
+  }
+  bool left = false;
+  bool right = false;
+  for (const Point p : shape) (cross(b - a, p - a) > 0 ? left : right) = true;
+  return !(left && right);
+}
+
+}  // namespace
+
+FreeSpace::FreeSpace(const Polygon& area, double reach_m) : area_{area} {
+  const auto take = [this](const Ring& ring) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) edges_.push_back({ring[j], ring[i]});
+  };
+  take(area.shell);
+  for (const Ring& hole : area.holes) take(hole);
+  constexpr double kMostCells = 1000;  // a side
+  const Box box = grown(bounds(area.shell), reach_m);
+  const Point size = box.high - box.low;
+  low_ = box.low;
+  cell_m_ = std::max({reach_m / 2, std::max(size.x_m, size.y_m) / kMostCells, 0.5});
+  columns_ = static_cast<int>(size.x_m / cell_m_) + 1;
+  rows_ = static_cast<int>(size.y_m / cell_m_) + 1;
+  const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  crossing_.resize(cells);
+  near_.resize(cells, false);
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) add(e, reach_m);
+}
+
+FreeSpace::Cells FreeSpace::cells_of(Box box) const {
+  const auto column = [this](double x_m) {
+    return static_cast<int>(std::clamp(std::floor((x_m - low_.x_m) / cell_m_), 0.0, columns_ - 1.0));
+  };
+  const auto row = [this](double y_m) {
+    return static_cast<int>(std::clamp(std::floor((y_m - low_.y_m) / cell_m_), 0.0, rows_ - 1.0));
+  };
+  return {column(box.low.x_m), column(box.high.x_m), row(box.low.y_m), row(box.high.y_m)};
+}
+
+std::size_t FreeSpace::index(int column, int row) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+}
+
+/// Walks along the edge in steps of a cell, so that a long slanted edge does not fill its whole box.
+void FreeSpace::add(std::uint32_t edge, double reach_m) {
+  const auto [a, b] = edges_[edge];
+  const int steps = std::max(1, static_cast<int>(std::ceil(distance_m(a, b) / cell_m_)));
+  for (int i = 0; i < steps; ++i) {
+    const Point from = a + (static_cast<double>(i) / steps) * (b - a);
+    const Point to = a + (static_cast<double>(i + 1) / steps) * (b - a);
+    const Cells own = cells_of(box_of(from, to));
+    for (int row = own.bottom; row <= own.top; ++row)
+      for (int column = own.left; column <= own.right; ++column) {
+        auto& list = crossing_[index(column, row)];
+        if (list.empty() || list.back() != edge) list.push_back(edge);
+      }
+    const Cells close = cells_of(grown(box_of(from, to), reach_m));
+    for (int row = close.bottom; row <= close.top; ++row)
+      for (int column = close.left; column <= close.right; ++column) near_[index(column, row)] = true;
+  }
+}
+
+bool FreeSpace::far_from_border(Point p) const {
+  const Cells cell = cells_of({p, p});
+  return !near_[index(cell.left, cell.bottom)];
+}
+
+bool FreeSpace::clear(const std::vector<Point>& shape) const {
+  const Cells cells = cells_of(bounds(shape));
+  for (int row = cells.bottom; row <= cells.top; ++row)
+    for (int column = cells.left; column <= cells.right; ++column)
+      for (const std::uint32_t e : crossing_[index(column, row)])
+        if (!apart(shape, edges_[e].a, edges_[e].b)) return false;
+  return true;
+}
+
+}  // namespace selion

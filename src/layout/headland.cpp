@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "parts.hpp"
+
+namespace selion {
+namespace {
+
+/// Headland rings follow the border to within this much; they overlap by twice as much so that no sliver stays between.
+constexpr double kFollow_m = 0.02;
+
+double farthest_x_m(const Footprint& f, const Pose& pose) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Point corner : {Point{f.front_m, f.half_body_m}, Point{f.front_m, -f.half_body_m}, Point{-f.rear_m, f.half_body_m},
+                             Point{-f.rear_m, -f.half_body_m}, Point{f.tool_x_m, f.half_tool_m}, Point{f.tool_x_m, -f.half_tool_m}})
+    most = std::max(most, placed(pose, corner).x_m);
+  return most;
+}
+
+std::vector<Ring> rings_of(const Polygons& areas) {
+  std::vector<Ring> rings;
+  for (const Polygon& area : areas) {
+    rings.push_back(area.shell);
+    rings.insert(rings.end(), area.holes.begin(), area.holes.end());
+  }
+  return rings;
+}
+
+}  // namespace
+
+Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m) {
+  const Footprint footprint = footprint_of(machine);
+  const Polygons edge = inset({Polygon{block.area.shell, {}}}, edge_margin_m);
+  return {machine,
+          footprint,
+          free_space(block.free, footprint),
+          intersect(edge, {block.free}),
+          std::max(footprint.half_body_m, footprint.half_tool_m),
+          edge_margin_m};
+}
+
+double turn_depth_m(const Machine& machine, double spacing_m) {
+  const Footprint footprint = footprint_of(machine);
+  const Pose out{{-machine.tool_x_m, 0}, 0};
+  const Pose back{{machine.tool_x_m + machine.run_in_m, spacing_m}, std::acos(-1.0)};
+  double least = std::numeric_limits<double>::infinity();
+  for (const Path& turn : connections(out, back, limits_at(machine, machine.turn_speed_mps))) {
+    double depth = 0;
+    for (const Pose& pose : poses(turn, 0.1)) depth = std::max(depth, farthest_x_m(footprint, pose));
+    least = std::min(least, depth);
+  }
+  return least;
+}
+
+double ring_inset_m(const Ground& ground, int ring) {
+  return ground.half_m + kFollow_m + (ring - 1) * (ground.machine.working_width_m - 2 * kFollow_m);
+}
+
+double mainland_inset_m(const Ground& ground, int passes) {
+  if (passes == 0) return 0;
+  return ring_inset_m(ground, passes) + ground.machine.working_width_m / 2 - kFollow_m;
+}
+
+std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
+  std::vector<HeadlandPass> laid;
+  const auto add = [&laid](int ring, Path path, bool closed) {
+    laid.push_back({"H" + std::to_string(laid.size() + 1), ring, std::move(path), closed});
+  };
+  for (int ring = 1; ring <= passes; ++ring) {
+    for (const Ring& line : rings_of(inset(ground.workable, ring_inset_m(ground, ring)))) {
+      if (auto path = rounded(ground, line)) {
+        add(ring, std::move(*path), true);
+        continue;
+      }
+      for (Path& run : straight_runs(ground, line)) add(ring, std::move(run), false);
+    }
+  }
+  return laid;
+}
+
+}  // namespace selion

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "parts.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kTrim_m = 0.25;
+constexpr double kRunPast_m = 1;  // strips reach this far beyond what they are cut with
+
+/// Along the swaths (a) and across them, to the right of A -> B (c).
+struct Axes {
+  Point along;
+  Point right;
+
+  [[nodiscard]] Point at(double a_m, double c_m) const { return a_m * along + c_m * right; }
+};
+
+struct Extent {
+  double low_m = std::numeric_limits<double>::infinity();
+  double high_m = -std::numeric_limits<double>::infinity();
+
+  void take(double value_m) {
+    low_m = std::min(low_m, value_m);
+    high_m = std::max(high_m, value_m);
+  }
+};
+
+Extent extent(const Polygons& areas, Point axis) {
+  Extent out;
+  for (const Polygon& area : areas)
+    for (const Point p : area.shell) out.take(dot(p, axis));
+  return out;
+}
+
+/// One strip's centre, across, and its number: 1, 2, ... to the right from the AB line, 0, -1, ... to its left.
+struct Strip {
+  int number = 1;
+  double c_m = 0;
+};
+
+std::vector<Strip> strips_from_line(double line_m, Extent across, double width_m, double spacing_m) {
+  std::vector<Strip> strips;
+  const auto first = static_cast<int>(std::floor((across.low_m - width_m / 2 - line_m) / spacing_m)) + 1;
+  for (int k = first; line_m + k * spacing_m - width_m / 2 < across.high_m; ++k) strips.push_back({k + 1, line_m + k * spacing_m});
+  return strips;
+}
+
+/// From the low side; the last one is shifted back to end with the area.
+std::vector<Strip> strips_to_fit(Extent across, double width_m, double spacing_m) {
+  constexpr double kSame_m = 1e-6;
+  const double span = across.high_m - across.low_m;
+  if (span <= width_m + kSame_m) return {{1, (across.low_m + across.high_m) / 2}};
+  const int count = static_cast<int>(std::ceil((span - width_m - kSame_m) / spacing_m)) + 1;
+  std::vector<Strip> strips;
+  for (int k = 0; k < count; ++k)
+    strips.push_back({k + 1, std::min(across.low_m + width_m / 2 + k * spacing_m, across.high_m - width_m / 2)});
+  return strips;
+}
+
+/// What of the strip is to be worked, along its axis: each part's full extent, so that slanted ends leave no wedge.
+std::vector<Extent> wanted(const Polygons& mainland, const Axes& axes, double c_m, Extent along, double width_m) {
+  const double least_m2 = 0.02 * width_m * width_m;  // not worth a pass
+  const Ring rectangle = strip(axes.at(along.low_m - kRunPast_m, c_m), axes.at(along.high_m + kRunPast_m, c_m), width_m);
+  std::vector<Extent> parts;
+  for (const Polygon& part : intersect(mainland, {Polygon{rectangle, {}}})) {
+    if (area_m2(part) < least_m2) continue;
+    parts.push_back(extent({part}, axes.along));
+  }
+  std::sort(parts.begin(), parts.end(), [](const Extent& p, const Extent& q) { return p.low_m < q.low_m; });
+  std::vector<Extent> merged;
+  for (const Extent& part : parts) {
+    if (!merged.empty() && part.low_m - merged.back().high_m < width_m) merged.back().take(part.high_m);
+    else merged.push_back(part);
+  }
+  return merged;
+}
+
+std::string strip_name(int number) {
+  return number >= 1 ? std::to_string(number) : "L" + std::to_string(1 - number);
+}
+
+/// a, b, ..., z, aa, ab, ...
+std::string letters(std::size_t index) {
+  std::string out;
+  for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26) out.insert(out.begin(), static_cast<char>('a' + (rest - 1) % 26));
+  return out;
+}
+
+/// Shortens the piece until the machine fits at both of its ends, driven either way.
+std::optional<Swath> trimmed(const Ground& ground, Swath piece) {
+  for (int round = 0; round < 40; ++round) {
+    const double length = distance_m(piece.from, piece.to);
+    if (length < 2 * kTrim_m) return std::nullopt;
+    const Path there = swath_path(ground.machine, piece.from, piece.to);
+    const Path back = swath_path(ground.machine, piece.to, piece.from);
+    const bool far_end = fits(ground.space, ground.footprint, end_pose(there));
+    const bool near_end = fits(ground.space, ground.footprint, end_pose(back));
+    if (far_end && near_end) return fits(ground.space, ground.footprint, there) ? std::optional{piece} : std::nullopt;
+    const Point step = (kTrim_m / length) * (piece.to - piece.from);
+    if (!far_end) piece.to = piece.to - step;
+    if (!near_end) piece.from = piece.from + step;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Ring strip(Point a, Point b, double width_m) {
+  const Point side = (width_m / 2 / distance_m(a, b)) * left_of(b - a);
+  return {a - side, b - side, b + side, a + side};
+}
+
+Path swath_path(const Machine& machine, Point from, Point to) {
+  const Point ahead = (-machine.tool_x_m / distance_m(from, to)) * (to - from);
+  return {{line(from + ahead, to + ahead), Gear::forward}};
+}
+
+std::vector<Span1> drivable_spans(const Ground& ground, Point a, Point b) {
+  const double length = distance_m(a, b);
+  const Point along = (1 / length) * (b - a);
+  std::vector<Span1> blocked;
+  for (const Polygon& part : subtract({Polygon{strip(a, b, ground.machine.working_width_m - 2e-3), {}}}, ground.workable)) {
+    Extent span;
+    for (const Point p : part.shell) span.take(dot(p - a, along));
+    blocked.push_back({span.low_m, span.high_m});
+  }
+  std::sort(blocked.begin(), blocked.end(), [](const Span1& p, const Span1& q) { return p.from_m < q.from_m; });
+  std::vector<Span1> spans;
+  double from = 0;
+  for (const Span1& block : blocked) {
+    if (block.from_m > from) spans.push_back({from, block.from_m});
+    from = std::max(from, block.to_m);
+  }
+  if (from < length) spans.push_back({from, length});
+  return spans;
+}
+
+std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options, AbLine& ab) {
+  const double width = ground.machine.working_width_m;
+  const double heading = options.ab ? heading_rad(options.ab->b - options.ab->a) : options.along.radians();
+  const Axes axes{unit(heading), -1 * left_of(unit(heading))};
+  const Extent along = extent(mainland, axes.along);
+  const Extent across = extent(mainland, axes.right);
+  const double spacing = width - options.overlap_m;
+  const std::vector<Strip> strips =
+      options.ab ? strips_from_line(dot(options.ab->a, axes.right) + options.ab_shift_m, across, width, spacing)
+                 : strips_to_fit(across, width, spacing);
+  std::vector<Swath> swaths;
+  for (const Strip& row : strips) {
+    std::vector<Swath> pieces;
+    for (const Extent& part : wanted(mainland, axes, row.c_m, along, width)) {
+      const Point a = axes.at(part.low_m, row.c_m);
+      const Point b = axes.at(part.high_m, row.c_m);
+      for (const Span1& span : drivable_spans(ground, a, b))
+        if (auto piece = trimmed(ground, {"", row.number, a + span.from_m * axes.along, a + span.to_m * axes.along}))
+          pieces.push_back(*piece);
+    }
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      pieces[k].id = strip_name(row.number) + (pieces.size() > 1 ? letters(k) : "");
+    swaths.insert(swaths.end(), pieces.begin(), pieces.end());
+  }
+  if (options.ab) ab = *options.ab;
+  else if (!swaths.empty()) ab = {swaths.front().from, swaths.front().to};
+  return swaths;
+}
+
+}  // namespace selion
