@@ -7,6 +7,7 @@
 #include <string>
 
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "selion/core/units.hpp"
 
 namespace selion {
@@ -24,9 +25,29 @@ double steer_rate_rad_s(const Machine& machine) { return radians_of_degrees(mach
 struct Rule {
   const char* key;
   double value;
-  double low;   // exclusive
-  double high;  // inclusive
+  double low;
+  double high;
+  bool low_itself;                // may the value be `low`?
+  const char* high_is = nullptr;  // the key that sets `high`
 };
+
+/// "0.3": at most six decimals, none that are zeros.
+std::string short_text(double value) {
+  if (!std::isfinite(value)) return "a number that is not finite";
+  std::string text = fixed(value, 6);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+void check(const Rule& rule) {
+  const bool above = rule.low_itself ? rule.value >= rule.low : rule.value > rule.low;
+  if (above && rule.value <= rule.high) return;  // a NaN fails both
+  throw InputError{"machine." + std::string{rule.key} + " = " + short_text(rule.value) +
+                   " is out of range: " + (rule.low_itself ? "from " : "above ") + short_text(rule.low) +
+                   " to " + (rule.high_is == nullptr ? "" : std::string{rule.high_is} + " = ") +
+                   short_text(rule.high)};
+}
 
 }  // namespace
 
@@ -43,7 +64,8 @@ double max_sharpness_per_m2(const Machine& machine, double speed_mps) {
 
 double max_speed_mps(const Machine& machine, double curvature_per_m, double sharpness_per_m2) {
   double speed = machine.max_speed_mps;
-  if (curvature_per_m != 0) speed = std::min(speed, std::sqrt(machine.max_lateral_mps2 / std::abs(curvature_per_m)));
+  if (curvature_per_m != 0)
+    speed = std::min(speed, std::sqrt(machine.max_lateral_mps2 / std::abs(curvature_per_m)));
   if (sharpness_per_m2 != 0) {
     const double angle = std::atan(kStep_m * wheelbase_for_steering_m(machine) * std::abs(sharpness_per_m2));
     speed = std::min(speed, kStep_m * steer_rate_rad_s(machine) / angle);
@@ -54,39 +76,34 @@ double max_speed_mps(const Machine& machine, double curvature_per_m, double shar
 void validate(const Machine& m) {
   const double huge = 1e6;
   const auto rules = std::to_array<Rule>({
-      {"working_width_m", m.working_width_m, 0.05, 100},
-      {"body_width_m", m.body_width_m, 0, 100},
-      {"front_m", m.front_m, 0, 100},
-      {"rear_m", m.rear_m, 0, 100},
-      {"tool_x_m", m.tool_x_m, -100.001, 100},
-      {"wheelbase_m", m.wheelbase_m, 0.05, 100},
-      {"track_m", m.track_m, 0, 100},
-      {"max_steer_deg", m.max_steer_deg, 0, 89},
-      {"max_steer_rate_deg_s", m.max_steer_rate_deg_s, 0, huge},
-      {"min_turn_radius_m", m.min_turn_radius_m.value_or(1), 0.05, 1000},
-      {"max_speed_mps", m.max_speed_mps, 0, 100},
-      {"work_speed_mps", m.work_speed_mps, 0, m.max_speed_mps},
-      {"turn_speed_mps", m.turn_speed_mps, 0, m.max_speed_mps},
-      {"max_accel_mps2", m.max_accel_mps2, 0, 100},
-      {"max_brake_mps2", m.max_brake_mps2, 0, 100},
-      {"max_lateral_mps2", m.max_lateral_mps2, 0, 100},
-      {"mass_kg", m.mass_kg, 0, huge},
-      {"safety_radius_m", m.safety_radius_m, -1e-12, huge},
-      {"safety_gap_m", m.safety_gap_m, -1e-12, huge},
-      {"tyre_width_m", m.tyre_width_m, -1e-12, 10},
-      {"clearance_m", m.clearance_m, -1e-12, 100},
-      {"min_work_radius_m", m.min_work_radius_m.value_or(1), 0, huge},
-      {"run_in_m", m.run_in_m, -1e-12, 1000},
-      {"tool_raise_s", m.tool_raise_s, -1e-12, 600},
-      {"tool_lower_s", m.tool_lower_s, -1e-12, 600},
-      {"guidance_sd_m", m.guidance_sd_m, -1e-12, 10},
+      {"working_width_m", m.working_width_m, 0.05, 100, true},
+      {"body_width_m", m.body_width_m, 0, 100, false},
+      {"front_m", m.front_m, 0, 100, false},
+      {"rear_m", m.rear_m, 0, 100, false},
+      {"tool_x_m", m.tool_x_m, -100, 100, true},
+      {"wheelbase_m", m.wheelbase_m, 0.05, 100, true},
+      {"track_m", m.track_m, 0, 100, false},
+      {"max_steer_deg", m.max_steer_deg, 0, 89, false},
+      {"max_steer_rate_deg_s", m.max_steer_rate_deg_s, 0, huge, false},
+      {"min_turn_radius_m", m.min_turn_radius_m.value_or(1), 0.05, 1000, true},
+      {"max_speed_mps", m.max_speed_mps, 0, 100, false},
+      {"work_speed_mps", m.work_speed_mps, 0, m.max_speed_mps, false, "max_speed_mps"},
+      {"turn_speed_mps", m.turn_speed_mps, 0, m.max_speed_mps, false, "max_speed_mps"},
+      {"max_accel_mps2", m.max_accel_mps2, 0, 100, false},
+      {"max_brake_mps2", m.max_brake_mps2, 0, 100, false},
+      {"max_lateral_mps2", m.max_lateral_mps2, 0, 100, false},
+      {"mass_kg", m.mass_kg, 0, huge, false},
+      {"safety_radius_m", m.safety_radius_m, 0, huge, true},
+      {"safety_gap_m", m.safety_gap_m, 0, huge, true},
+      {"tyre_width_m", m.tyre_width_m, 0, 10, true},
+      {"clearance_m", m.clearance_m, 0, 100, true},
+      {"min_work_radius_m", m.min_work_radius_m.value_or(1), 0, huge, false},
+      {"run_in_m", m.run_in_m, 0, 1000, true},
+      {"tool_raise_s", m.tool_raise_s, 0, 600, true},
+      {"tool_lower_s", m.tool_lower_s, 0, 600, true},
+      {"guidance_sd_m", m.guidance_sd_m, 0, 10, true},
   });
-  for (const Rule& rule : rules) {
-    if (rule.value > rule.low && rule.value <= rule.high) continue;  // a NaN fails both
-    throw InputError{"machine: " + std::string{rule.key} + " = " + std::to_string(rule.value) + " is out of range: it must be above " +
-                     std::to_string(std::max(rule.low, 0.0) == 0 && rule.low > -1 ? 0.0 : rule.low) + " and at most " +
-                     std::to_string(rule.high)};
-  }
+  for (const Rule& rule : rules) check(rule);
 }
 
 }  // namespace selion
