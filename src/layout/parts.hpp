@@ -44,8 +44,6 @@ std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout);
 /// The part of the strip around a-b (the tool's centre line) over which the tool can be driven, as spans from a.
 std::vector<Span1> drivable_spans(const Ground& ground, Point a, Point b);
 
-/// Of the axle, along a swath driven from `from` to `to`.
-Path swath_path(const Machine& machine, Point from, Point to);
 Ring strip(Point a, Point b, double width_m);
 
 }  // namespace selion

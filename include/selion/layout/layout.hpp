@@ -73,6 +73,9 @@ struct LayoutOptions {
   friend bool operator==(const LayoutOptions&, const LayoutOptions&) = default;
 };
 
+/// Of the axle while the tool works from `from` to `to`: the axle runs ahead by the tool's place behind it.
+Path swath_path(const Machine& machine, Point from, Point to);
+
 using LayOut = Result<Layout> (*)(const Block&, const Machine&, const LayoutOptions&);
 
 struct LayoutKind {

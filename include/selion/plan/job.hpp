@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "selion/core/machine.hpp"
+#include "selion/route/route.hpp"
 
 namespace selion {
 
 enum class Operation { tillage, seeding, weeding, spraying, mowing, harvest, scouting };
-enum class HeadlandOrder { first, last, none };
 
 /// Everything that steers a plan: one TOML file, or flags. Every default stands here, once.
 struct Job {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coverage.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "selion/motion/footprint.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kGap_m = 0.005;   // narrower than twice this is rounding between sweeps, not unworked ground
+
+/// The areas of some pieces: each for itself, summed, and all together.
+struct Swept {
+  double sum_m2 = 0;
+  Polygons together;
+};
+
+class Tally {
+ public:
+  void add(Polygons piece) {
+    swept_.sum_m2 += area_m2(piece);
+    for (Polygon& part : piece) all_.push_back(std::move(part));
+  }
+  Swept united() {
+    swept_.together = unite(all_);
+    return swept_;
+  }
+
+ private:
+  Swept swept_;
+  Polygons all_;
+};
+
+Polygons swept_by(const Footprint& footprint, const Path& path) {
+  Polygons pieces;
+  for (Ring& ring : swept_by_tool(footprint, path)) pieces.push_back({std::move(ring), {}});
+  return unite(pieces);
+}
+
+Polygons joined(const Polygons& a, const Polygons& b) {
+  Polygons both = a;
+  both.insert(both.end(), b.begin(), b.end());
+  return unite(both);
+}
+
+}  // namespace
+
+Coverage coverage_of(const Block& block, const Layout& layout, const Route& route, const Machine& machine) {
+  const Footprint footprint = footprint_of(machine);
+  std::set<std::string> pocket_ids;
+  for (const Swath& pocket : layout.pockets) pocket_ids.insert(pocket.id);
+  Tally headland_tally, swath_tally, pocket_tally;
+  for (const RoutePiece& piece : route.pieces) {
+    if (piece.kind == PieceKind::headland_pass) headland_tally.add(swept_by(footprint, piece.path));
+    else if (piece.kind == PieceKind::swath) (pocket_ids.contains(piece.ref) ? pocket_tally : swath_tally).add(swept_by(footprint, piece.path));
+  }
+  const Swept headland = headland_tally.united();
+  const Swept swaths = swath_tally.united();
+  const Swept pockets = pocket_tally.united();
+  const Polygons main = joined(headland.together, swaths.together);
+  const Polygons all = joined(main, pockets.together);
+
+  Coverage coverage;
+  coverage.covered_m2 = area_m2(intersect(all, {block.area}));
+  coverage.twice.corners_m2 = headland.sum_m2 - area_m2(headland.together);
+  coverage.twice.last_strip_m2 = swaths.sum_m2 - area_m2(swaths.together);
+  coverage.twice.wedges_m2 = area_m2(headland.together) + area_m2(swaths.together) - area_m2(main);
+  coverage.twice.pockets_m2 = pockets.sum_m2 - (area_m2(all) - area_m2(main));
+  coverage.uncovered = outset(inset(subtract({block.area}, all), kGap_m), kGap_m, 2);
+  return coverage;
+}
+
+}  // namespace selion

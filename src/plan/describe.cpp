@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "describe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "coverage.hpp"
+#include "selion/core/format.hpp"
+#include "selion/core/version.hpp"
+#include "selion/plan/job_file.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kDatumWarning_m = 1;
+constexpr double kPlannedShare = 0.9;   // covered: less is a partial plan
+
+/// The cleaned area as text, to the tenth of a millimetre: the input that the plan's id stands for.
+std::string cleaned_text(const LocalFrame& frame, const Blocks& cleaned) {
+  std::string text = frame.proj() + "\n";
+  const auto add = [&](const Ring& ring) {
+    for (const Point p : ring) text += fixed(p.x_m, 4) + " " + fixed(p.y_m, 4) + "\n";
+    text += "\n";
+  };
+  for (const Block& block : cleaned.blocks)
+    for (const Polygon* area : {&block.area, &block.free}) {
+      add(area->shell);
+      for (const Ring& hole : area->holes) add(hole);
+    }
+  return text;
+}
+
+void assume(Plan& plan, const Field& field, const Job& job) {
+  const auto say = [&plan](std::string text) { plan.assumptions.push_back(std::move(text)); };
+  say((job.machine_assumed ? "Machine: none was given, preset " : "Machine: ") + job.machine.preset +
+      (job.machine_assumed ? " is assumed, " : ", ") + fixed(job.machine.working_width_m, 2) +
+      " m wide, turning radius " + fixed(1 / max_curvature_per_m(job.machine), 2) + " m. Mounted tools only.");
+  say("Flat ground: slopes are not considered.");
+  say(job.field.boundary_accuracy_m
+          ? "Boundary accurate to " + fixed(*job.field.boundary_accuracy_m, 2) + " m, as the job says."
+          : std::string{"Boundary accuracy unknown: drive the boundary once with RTK before relying on the edge margin of "} +
+                fixed(job.field.edge_margin_m, 2) + " m.");
+  say("Datum of the boundary: " + (field.datum.empty() ? std::string{"WGS 84"} : field.datum) +
+      (field.datum_accuracy_m ? ", converted to WGS 84 within " + fixed(*field.datum_accuracy_m, 2) + " m" : std::string{}) +
+      ". The machine's corrections must use the same datum.");
+}
+
+void warn(Plan& plan, const Field& field) {
+  if (field.datum_accuracy_m && *field.datum_accuracy_m > kDatumWarning_m)
+    plan.file.warnings.push_back("The step from " + field.datum + " to WGS 84 is only accurate to " + fixed(*field.datum_accuracy_m, 1) +
+                                 " m: see the notes for the missing grid.");
+}
+
+/// A place inside the part: its centroid, or where that lies outside, the middle of its longest inner span there.
+Point place_in(const Polygon& part) {
+  const Point middle = centroid(part);
+  if (contains(part, middle)) return middle;
+  const Box box = bounds(part.shell);
+  const Point a{box.low.x_m - 1, middle.y_m};
+  Point best = part.shell.front();
+  double longest = 0;
+  for (const Span1& span : inside_spans(a, {box.high.x_m + 1, middle.y_m}, {part})) {
+    if (span.to_m - span.from_m <= longest) continue;
+    longest = span.to_m - span.from_m;
+    best = {a.x_m + (span.from_m + span.to_m) / 2, middle.y_m};
+  }
+  return best;
+}
+
+}  // namespace
+
+Plan described(const Field& field, const Job& job, const LocalFrame& frame, const Blocks& cleaned) {
+  Plan plan;
+  plan.file.version = version();
+  plan.file.proj = frame.proj();
+  plan.file.origin = frame.origin();
+  plan.file.job_json = job_json(job);
+  plan.file.id = plan_id(cleaned_text(frame, cleaned), plan.file.job_json);
+  plan.notes = field.notes;
+  plan.notes.insert(plan.notes.end(), cleaned.notes.begin(), cleaned.notes.end());
+  FieldRecord record{{}, field.name, 0, plan.notes};
+  for (const Block& block : cleaned.blocks) {
+    record.parts.push_back(to_lonlat(frame, block.area));
+    record.area_m2 += area_m2(block.area);
+  }
+  if (cleaned.blocks.size() > 1)
+    plan.notes.push_back("The field has " + std::to_string(cleaned.blocks.size()) +
+                         " blocks, each with its own route; the way between blocks is not planned.");
+  plan.file.fields.push_back(std::move(record));
+  assume(plan, field, job);
+  warn(plan, field);
+  return plan;
+}
+
+std::string block_name(const Block& block, const Blocks& all) {
+  return all.blocks.size() > 1 ? "block " + std::to_string(block.number) + ": " : std::string{};
+}
+
+std::size_t gate_of(const Block& block, const std::string& start) {
+  if (start.empty()) return 0;
+  const std::string wanted = start.starts_with("gate:") ? start.substr(5) : start;
+  for (std::size_t i = 0; i < block.gates.size(); ++i)
+    if (block.gates[i].name == wanted || std::to_string(i + 1) == wanted) return i;
+  std::string names;
+  for (const BlockGate& gate : block.gates) names += (names.empty() ? "" : ", ") + gate.name;
+  throw InputError{"route.start = \"" + start + "\": the block has no such gate; it has " + names};
+}
+
+BlockReport refused(const Block& block, const Infeasible& why) {
+  BlockReport report;
+  report.number = block.number;
+  report.area_m2 = area_m2(block.area);
+  report.refused = why.reason;
+  return report;
+}
+
+BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
+                      const LocalFrame& frame, const Job& job) {
+  const Layout& layout = planned.layout;
+  const Coverage coverage = coverage_of(planned.block, layout, planned.route, job.machine);
+  BlockReport report;
+  report.number = planned.block.number;
+  report.area_m2 = area_m2(planned.block.area);
+  report.covered_m2 = coverage.covered_m2;
+  report.twice = coverage.twice;
+  for (const Polygon& part : coverage.uncovered)
+    report.uncovered.push_back({to_lonlat(frame, part), frame.to_lonlat(place_in(part)), area_m2(part)});
+  report.bearing_deg = true_bearing_deg(frame, layout.ab.a, heading_rad(layout.ab.b - layout.ab.a));
+  report.headland_depth_m = layout.headland_depth_m;
+  report.turn_depth_m = layout.turn_depth_m;
+  report.headland_passes = layout.passes;
+  std::set<int> strips;
+  for (const Swath& swath : layout.swaths) strips.insert(swath.strip);
+  report.swaths = static_cast<int>(strips.size());
+  for (const RoutePiece& piece : planned.route.pieces) {
+    if (piece.kind == PieceKind::swath) ++report.pieces;
+    if (piece.kind == PieceKind::turn) ++report.turns;
+    if (piece.kind == PieceKind::transfer) ++report.transfers;
+  }
+  std::vector<double> ends(pieces.size(), 0);  // when each leg is over
+  for (const Sample& sample : samples) ends[sample.leg] = std::max(ends[sample.leg], sample.t_s);
+  double before = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const DrivePiece& piece = pieces[i];
+    const double length = piece.leg.stretch.curve.length_m;
+    const double time = std::max(0.0, ends[i] - before);
+    before = std::max(before, ends[i]);
+    const bool turn = piece.kind == "turn" || piece.kind == "wait";
+    (piece.leg.tool_down ? report.work_m : turn ? report.turn_m : report.transfer_m) += length;
+    (piece.leg.tool_down ? report.work_s : turn ? report.turn_s : report.transfer_s) += time;
+    if (piece.leg.stretch.gear == Gear::reverse) report.reverse_m += length;
+  }
+  return report;
+}
+
+std::vector<std::string> notes_of(const PlannedBlock& planned) {
+  std::vector<std::string> notes = planned.layout.notes;
+  notes.insert(notes.end(), planned.route.notes.begin(), planned.route.notes.end());
+  if (planned.block.gates.empty()) notes.push_back("No gate was given: the drive starts at the first swath and ends where the work is done.");
+  std::string ids;
+  for (const std::string& id : planned.route.left_out) ids += (ids.empty() ? "" : ", ") + id;
+  if (!ids.empty()) notes.push_back("Left out, for the machine finds no way there and back: " + ids + ".");
+  for (std::string& note : notes) note = "Block " + std::to_string(planned.block.number) + ": " + note;
+  return notes;
+}
+
+void summarise(Plan& plan) {
+  BlockReport all;
+  for (const BlockReport& block : plan.blocks) {
+    all.area_m2 += block.area_m2;
+    all.covered_m2 += block.covered_m2;
+    all.twice.last_strip_m2 += block.twice.total_m2();
+    all.work_m += block.work_m, all.turn_m += block.turn_m, all.transfer_m += block.transfer_m;
+    all.work_s += block.work_s, all.turn_s += block.turn_s, all.transfer_s += block.transfer_s;
+    all.swaths += block.swaths, all.pieces += block.pieces;
+    if (!block.refused.empty())
+      plan.file.warnings.push_back("Block " + std::to_string(block.number) + " (" + fixed(block.area_m2 / 1e4, 2) + " ha) is not planned: " + block.refused);
+    else if (block.covered_m2 < kPlannedShare * block.area_m2)
+      plan.file.warnings.push_back("Block " + std::to_string(block.number) + " is only partly planned: " +
+                                   fixed(100 * block.covered_m2 / block.area_m2, 1) + " % of it is covered.");
+  }
+  plan.file.summary = {{"area_m2", all.area_m2},       {"covered_m2", all.covered_m2}, {"worked_twice_m2", all.twice.last_strip_m2},
+                       {"swaths", 1.0 * all.swaths},   {"pieces", 1.0 * all.pieces},   {"work_m", all.work_m},
+                       {"turn_m", all.turn_m},         {"transfer_m", all.transfer_m}, {"work_s", all.work_s},
+                       {"turn_s", all.turn_s},         {"transfer_s", all.transfer_s}};
+}
+
+}  // namespace selion

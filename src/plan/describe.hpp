@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "records.hpp"
+#include "selion/plan/job.hpp"
+#include "selion/plan/plan.hpp"
+
+namespace selion {
+
+/// A plan that holds the field, the job, the frame, what is assumed and what must be warned of, but no block yet.
+Plan described(const Field& field, const Job& job, const LocalFrame& frame, const Blocks& cleaned);
+
+BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
+                      const LocalFrame& frame, const Job& job);
+BlockReport refused(const Block& block, const Infeasible& why);
+std::vector<std::string> notes_of(const PlannedBlock& planned);
+/// "block 2: " where there are several, else nothing.
+std::string block_name(const Block& block, const Blocks& all);
+/// Index of the gate that `start` ("gate:2" or "gate:NAME") names; the first one where it is empty.
+/// @throws InputError where the block has no such gate.
+std::size_t gate_of(const Block& block, const std::string& start);
+
+/// Sums of all blocks into the plan file's summary, and the warnings that come of them.
+void summarise(Plan& plan);
+
+}  // namespace selion

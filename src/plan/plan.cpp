@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/plan/plan.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "describe.hpp"
+#include "records.hpp"
+#include "selion/core/format.hpp"
+#include "selion/field/frame.hpp"
+#include "selion/layout/layout.hpp"
+#include "selion/plan/job_file.hpp"
+#include "selion/route/route.hpp"
+
+namespace selion {
+namespace {
+
+LocalFrame frame_of(const Field& field, const Job& job) {
+  return job.frame.crs == "auto" ? LocalFrame::centred(centre(field)) : LocalFrame::of_crs(job.frame.crs, centre(field));
+}
+
+/// A compass heading in the local frame, whose north leans by the convergence.
+DrivingDirection local_direction(const LocalFrame& frame, Point at, double bearing_deg) {
+  return DrivingDirection::bearing_deg(bearing_deg - frame.convergence_deg(at));
+}
+
+Result<DrivingDirection> direction_of(const Block& block, const LocalFrame& frame, const std::string& how) {
+  if (how == "edge") return best_edge_direction(block.area);
+  if (how == "p3") {
+    const auto found = p3_direction(block.area);
+    if (!found) return found.error();
+    return found->along;
+  }
+  double bearing = 0;
+  std::from_chars(how.data(), how.data() + how.size(), bearing);  // the job was validated
+  return local_direction(frame, centroid(block.area), bearing);
+}
+
+Result<LayoutOptions> layout_options(const Block& block, const LocalFrame& frame, const Job& job) {
+  LayoutOptions options;
+  options.ab_shift_m = job.layout.ab_shift_m;
+  options.overlap_m = job.layout.overlap_m;
+  options.edge_margin_m = job.field.edge_margin_m;
+  options.passes = job.headland.passes;
+  if (job.layout.ab) {
+    const auto& [lon_a, lat_a, lon_b, lat_b] = *job.layout.ab;
+    options.ab = AbLine{frame.to_local({lon_a, lat_a}), frame.to_local({lon_b, lat_b})};
+    return options;
+  }
+  const auto direction = direction_of(block, frame, job.layout.direction);
+  if (!direction) return direction.error();
+  options.along = *direction;
+  return options;
+}
+
+Result<Layout> lay_out(const Block& block, const LocalFrame& frame, const Job& job) {
+  const auto options = layout_options(block, frame, job);
+  if (!options) return options.error();
+  const auto kinds = layouts();
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const LayoutKind& k) { return k.name == job.layout.kind; });
+  if (kind == kinds.end()) throw InputError{"layout.kind = \"" + job.layout.kind + "\" is not known"};
+  return kind->lay_out(block, job.machine, *options);
+}
+
+RouteOptions route_options(const Block& block, const Job& job) {
+  RouteOptions options;
+  options.headland = job.headland.order;
+  if (!block.gates.empty()) options.gate = gate_of(block, job.route.start);
+  return options;
+}
+
+Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, const Job& job, const Progress& progress) {
+  progress("laying out", 0);
+  auto layout = lay_out(block, frame, job);
+  if (!layout) return layout.error();
+  auto driven = route(block, *layout, job.machine, route_options(block, job), progress);
+  if (!driven) return driven.error();
+  return PlannedBlock{block, std::move(*layout), std::move(*driven)};
+}
+
+void add_block(Plan& plan, const PlannedBlock& planned, const LocalFrame& frame, const Job& job) {
+  const std::vector<DrivePiece> pieces = drive_pieces(planned.route, job.machine);
+  std::vector<Leg> legs;
+  for (const DrivePiece& piece : pieces) legs.push_back(piece.leg);
+  const std::vector<Sample> samples = drive(legs, job.machine);
+  add_records(plan.file, planned, pieces, samples, frame, job.machine);
+  plan.blocks.push_back(report_of(planned, pieces, samples, frame, job));
+  for (const std::string& note : notes_of(planned)) plan.notes.push_back(note);
+}
+
+}  // namespace
+
+Result<Plan> plan(const Field& field, const Job& job, Repair repair, const Progress& progress) {
+  validate(job);
+  const LocalFrame frame = frame_of(field, job);
+  const Blocks cleaned = blocks_of(field, frame, {job.field.obstacle_clearance_m, job.field.water_margin_m, repair});
+  Plan plan = described(field, job, frame, cleaned);
+  std::string reasons;
+  for (const Block& block : cleaned.blocks) {
+    const auto planned = plan_block(block, frame, job, progress);
+    if (planned) {
+      add_block(plan, *planned, frame, job);
+      continue;
+    }
+    plan.blocks.push_back(refused(block, planned.error()));
+    reasons += (reasons.empty() ? "" : "; ") + block_name(block, cleaned) + planned.error().reason;
+  }
+  if (plan.file.trajectories.empty()) return Infeasible{reasons};
+  summarise(plan);
+  progress("planned", 1);
+  return plan;
+}
+
+}  // namespace selion

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "selion/core/angle.hpp"
+
+namespace selion {
+namespace {
+
+std::string name_of(PieceKind kind) {
+  switch (kind) {
+    case PieceKind::swath: return "swath";
+    case PieceKind::headland_pass: return "headland_pass";
+    case PieceKind::turn: return "turn";
+    case PieceKind::transfer: return "transfer";
+  }
+  return {};
+}
+
+bool works(PieceKind kind) { return kind == PieceKind::swath || kind == PieceKind::headland_pass; }
+
+double cap_mps(const Machine& machine, PieceKind kind, const Stretch& stretch) {
+  if (works(kind)) return machine.work_speed_mps;
+  const bool curved = stretch.curve.curvature_per_m != 0 || stretch.curve.sharpness_per_m2 != 0;
+  return curved ? machine.turn_speed_mps : machine.max_speed_mps;
+}
+
+DrivePiece wait_at(const Pose& pose, double wait_s) {
+  const Curve here{pose.at, pose.heading_rad, 0, 0, 0};
+  return {{{here, Gear::forward}, 0, false, wait_s}, "wait", ""};
+}
+
+LonLatLine to_lonlat(const LocalFrame& frame, const std::vector<Point>& points) {
+  LonLatLine line;
+  line.reserve(points.size());
+  for (const Point p : points) line.push_back(frame.to_lonlat(p));
+  return line;
+}
+
+PieceRecord record_of(const DrivePiece& piece) {
+  const Curve& curve = piece.leg.stretch.curve;
+  PieceRecord record;
+  record.kind = piece.kind;
+  record.ref = piece.ref;
+  record.x_m = curve.start.x_m;
+  record.y_m = curve.start.y_m;
+  record.heading_rad = wrapped(curve.heading_rad);
+  record.curvature_per_m = curve.curvature_per_m;
+  record.sharpness_per_m2 = curve.sharpness_per_m2;
+  record.length_m = curve.length_m;
+  record.gear = static_cast<int>(piece.leg.stretch.gear);
+  record.tool = piece.leg.tool_down ? 1 : 0;
+  if (piece.leg.wait_s > 0) record.duration_s = piece.leg.wait_s;
+  return record;
+}
+
+TrajectoryRecord trajectory_of(int block, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
+                               const LocalFrame& frame, const Machine& machine) {
+  TrajectoryRecord record;
+  record.block = block;
+  record.working_width_m = machine.working_width_m;
+  for (const DrivePiece& piece : pieces) {
+    record.pieces.push_back(record_of(piece));
+    record.length_m += piece.leg.stretch.curve.length_m;
+  }
+  for (const Sample& sample : samples) {
+    record.line.push_back(frame.to_lonlat(sample.at));
+    record.t_s.push_back(sample.t_s);
+    record.heading_rad.push_back(sample.heading_rad);
+    record.curvature_per_m.push_back(sample.curvature_per_m);
+    record.speed_mps.push_back(sample.speed_mps);
+    record.tool.push_back(sample.tool_down ? 1 : 0);
+  }
+  record.duration_s = samples.empty() ? 0 : samples.back().t_s;
+  return record;
+}
+
+void add_swaths(PlanFile& file, const PlannedBlock& planned, const LocalFrame& frame, const Machine& machine) {
+  std::map<std::string, int> order;
+  for (const RoutePiece& piece : planned.route.pieces)
+    if (piece.kind == PieceKind::swath) order.emplace(piece.ref, static_cast<int>(order.size()) + 1);
+  const auto add = [&](const Swath& swath, const std::string& cell) {
+    const auto place = order.find(swath.id);
+    if (place == order.end()) return;  // not driven: named among the notes, and its ground among the uncovered
+    file.swaths.push_back({planned.block.number, swath.id, cell, to_lonlat(frame, std::vector<Point>{swath.from, swath.to}),
+                           machine.working_width_m, distance_m(swath.from, swath.to), place->second});
+  };
+  for (const Swath& swath : planned.layout.swaths) add(swath, "1");
+  for (const Swath& pocket : planned.layout.pockets) add(pocket, "");
+}
+
+void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame& frame, const Machine& machine) {
+  HeadlandRecord band{planned.block.number, {}, planned.layout.headland_depth_m, planned.layout.passes};
+  for (const Polygon& part : planned.layout.headland) band.parts.push_back(to_lonlat(frame, part));
+  if (!band.parts.empty()) file.headlands.push_back(std::move(band));
+  for (const HeadlandPass& pass : planned.layout.headland_passes) {
+    const auto driven = std::find_if(planned.route.pieces.begin(), planned.route.pieces.end(), [&pass](const RoutePiece& piece) {
+      return piece.kind == PieceKind::headland_pass && piece.ref == pass.id;
+    });
+    if (driven == planned.route.pieces.end()) continue;
+    std::vector<Point> line;
+    for (const Pose& pose : poses(driven->path, 2)) line.push_back(pose.at);
+    file.headland_passes.push_back({planned.block.number, pass.id, pass.ring, to_lonlat(frame, line), machine.working_width_m});
+  }
+}
+
+}  // namespace
+
+LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area) {
+  LonLatArea out{to_lonlat(frame, area.shell), {}};
+  for (const Ring& hole : area.holes) out.holes.push_back(to_lonlat(frame, hole));
+  return out;
+}
+
+double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad) {
+  const double bearing = std::fmod(Heading::radians(heading_rad).bearing_deg() + frame.convergence_deg(p) + 360, 360);
+  return bearing >= 359.99999 ? 0 : bearing;  // what rounding leaves of north
+}
+
+std::vector<DrivePiece> drive_pieces(const Route& route, const Machine& machine) {
+  std::vector<DrivePiece> pieces;
+  for (const RoutePiece& piece : route.pieces) {
+    const bool work = works(piece.kind);
+    if (work && machine.tool_lower_s > 0) pieces.push_back(wait_at(start_pose(piece.path), machine.tool_lower_s));
+    for (const Stretch& stretch : piece.path)
+      pieces.push_back({{stretch, cap_mps(machine, piece.kind, stretch), work, 0}, name_of(piece.kind), piece.ref});
+    if (work && machine.tool_raise_s > 0) pieces.push_back(wait_at(end_pose(piece.path), machine.tool_raise_s));
+  }
+  return pieces;
+}
+
+void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
+                 const LocalFrame& frame, const Machine& machine) {
+  const Block& block = planned.block;
+  for (const Polygon& obstacle : block.obstacles) file.obstacles.push_back({block.number, to_lonlat(frame, obstacle), "", "obstacle"});
+  for (const BlockGate& gate : block.gates) file.gates.push_back({block.number, frame.to_lonlat(gate.at), gate.name, gate.width_m});
+  const AbLine& ab = planned.layout.ab;
+  const double bearing = true_bearing_deg(frame, ab.a, heading_rad(ab.b - ab.a));
+  CellRecord cell{block.number, "1", {}, std::fmod(bearing, 180)};
+  for (const Polygon& part : planned.layout.mainland) cell.parts.push_back(to_lonlat(frame, part));
+  file.cells.push_back(std::move(cell));
+  file.ab_lines.push_back({block.number, frame.to_lonlat(ab.a), frame.to_lonlat(ab.b), bearing});
+  add_headland(file, planned, frame, machine);
+  add_swaths(file, planned, frame, machine);
+  file.trajectories.push_back(trajectory_of(block.number, pieces, samples, frame, machine));
+}
+
+}  // namespace selion

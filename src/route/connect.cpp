@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "connect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace selion {
+namespace {
+
+constexpr double kOverMainland = 0.5;    // extra cost of a metre over the mainland
+constexpr double kInReverse = 1.0;       // extra cost of a metre in reverse
+constexpr double kGearChange_m = 6;      // what stopping and changing gear is worth
+constexpr double kCostStep_m = 1;
+
+bool in_any(const Polygons& areas, Point p) {
+  return std::any_of(areas.begin(), areas.end(), [p](const Polygon& area) { return contains(area, p); });
+}
+
+/// Longer than this, a single turn is no turn any more but a wander over the field.
+double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) {
+  return 20 / terrain.limits.curvature_per_m + 2 * distance_m(from.at, to.at);
+}
+
+}  // namespace
+
+double cost_m(const Terrain& terrain, const Path& path) {
+  double cost = 0;
+  Gear last = path.empty() ? Gear::forward : path.front().gear;
+  for (const Stretch& stretch : path) {
+    const double length = stretch.curve.length_m;
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / kCostStep_m)));
+    int over = 0;
+    for (int i = 0; i < steps; ++i)
+      if (in_any(terrain.mainland, state_at(stretch.curve, length * (i + 0.5) / steps).at)) ++over;
+    cost += length * (1 + kOverMainland * over / steps + (stretch.gear == Gear::reverse ? kInReverse : 0));
+    if (stretch.gear != last) cost += kGearChange_m;
+    last = stretch.gear;
+  }
+  return cost;
+}
+
+std::optional<Path> direct_turn(const Terrain& terrain, const Pose& from, const Pose& to) {
+  const double longest = longest_turn_m(terrain, from, to);
+  for (Path& turn : connections(from, to, terrain.limits)) {
+    if (length_m(turn) > longest) break;
+    if (stays_inside(terrain.space, terrain.footprint, turn)) return std::move(turn);
+  }
+  return std::nullopt;
+}
+
+std::optional<Path> connect(const Terrain& terrain, const Pose& from, const Pose& to) {
+  const double near_m = 8 / terrain.limits.curvature_per_m + 4 * terrain.footprint.half_tool_m;
+  std::optional<Path> best = direct_turn(terrain, from, to);
+  if (best && length_m(*best) <= 3 * near_m && distance_m(from.at, to.at) <= near_m) return best;
+  double least = best ? cost_m(terrain, *best) : std::numeric_limits<double>::infinity();
+  if (auto round = along_tracks(terrain, from, to); round && cost_m(terrain, *round) < least) best = std::move(round);
+  return best ? best : searched(terrain, from, to);
+}
+
+}  // namespace selion

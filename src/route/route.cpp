@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/route/route.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <numbers>
+
+#include "chains.hpp"
+#include "connect.hpp"
+#include "selion/core/format.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kGateRoom_m = 0.05;      // between the body and the border at the gate
+constexpr std::size_t kRingStarts = 24;   // places tried to begin a headland pass
+
+/// A piece of work and the ways it may be driven, the preferred one first.
+struct Task {
+  PieceKind kind = PieceKind::swath;
+  std::string id;
+  std::vector<Path> ways;
+};
+
+class Driver {
+ public:
+  Driver(const Block& block, const Layout& layout, const Machine& machine)
+      : layout_{layout},
+        machine_{machine},
+        space_{free_space(block.free, footprint_of(machine))},
+        terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse, layout.mainland, {}} {
+    for (const HeadlandPass& pass : layout.headland_passes) {
+      if (!pass.closed) continue;
+      terrain_.tracks.push_back(track_of(pass.path));
+      if (Path back = turned_round(pass.path); fits(space_, terrain_.footprint, back)) terrain_.tracks.push_back(track_of(back));
+    }
+  }
+
+  Result<Route> drive(const Block& block, const RouteOptions& options, const Progress& progress);
+
+ private:
+  [[nodiscard]] std::optional<Pose> at_gate(const Block& block, std::size_t gate, bool inwards) const;
+  [[nodiscard]] Path swath_way(const Swath& swath, bool forth) const;
+  [[nodiscard]] Task swath_task(const Swath& swath) const;
+  [[nodiscard]] std::vector<Path> ring_ways(const HeadlandPass& pass) const;
+  bool drive_to(const Task& task);
+  bool drive_one(const Task& task, const std::optional<Path>& way, const Path& work);
+  void work_chains(std::vector<Chain> chains, const Progress& progress);
+  void work_chain(const Chain& chain, bool from_last, bool forth);
+  void work_nearest(std::vector<Task> tasks);
+  void work_headland(bool inside_out);
+  [[nodiscard]] double far_m(const Pose& pose) const;
+  [[nodiscard]] PieceKind way_kind(const Path& way) const;
+
+  const Layout& layout_;
+  const Machine& machine_;
+  FreeSpace space_;
+  Terrain terrain_;
+  std::optional<Pose> here_;
+  std::vector<Task> put_off_;
+  Route route_;
+};
+
+Path Driver::swath_way(const Swath& swath, bool forth) const {
+  return forth ? swath_path(machine_, swath.from, swath.to) : swath_path(machine_, swath.to, swath.from);
+}
+
+Task Driver::swath_task(const Swath& swath) const {
+  Task task{PieceKind::swath, swath.id, {}};
+  for (const bool forth : {true, false})
+    if (Path way = swath_way(swath, forth); fits(space_, terrain_.footprint, way)) task.ways.push_back(std::move(way));
+  return task;
+}
+
+double Driver::far_m(const Pose& pose) const { return here_ ? distance_m(here_->at, pose.at) : 0; }
+
+PieceKind Driver::way_kind(const Path& way) const {
+  const double near_m = 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m;
+  return length_m(way) <= near_m ? PieceKind::turn : PieceKind::transfer;
+}
+
+bool Driver::drive_one(const Task& task, const std::optional<Path>& way, const Path& work) {
+  if (here_ && !way) return false;
+  if (way && !way->empty()) route_.pieces.push_back({way_kind(*way), "", *way});
+  route_.pieces.push_back({task.kind, task.id, work});
+  here_ = end_pose(work);
+  return true;
+}
+
+/// The pose `run_in_m` before the work begins: from there the tool is brought down on a straight line.
+Pose approach(const Path& work, double run_in_m) {
+  const Pose start = start_pose(work);
+  return {start.at - run_in_m * unit(start.heading_rad), start.heading_rad};
+}
+
+/// Drives the task by the first of its ways that can be reached.
+bool Driver::drive_to(const Task& task) {
+  for (const bool thorough : {false, true})
+    for (const Path& work : task.ways) {
+      if (!here_) return drive_one(task, std::nullopt, work);
+      const Pose goal = approach(work, machine_.run_in_m);
+      auto way = thorough ? connect(terrain_, *here_, goal) : direct_turn(terrain_, *here_, goal);
+      if (way && !thorough && length_m(*way) > 10 / terrain_.limits.curvature_per_m + 3 * far_m(goal)) way.reset();
+      if (!way) continue;
+      if (machine_.run_in_m > 0) way->push_back({line(goal.at, start_pose(work).at), Gear::forward});
+      return drive_one(task, way, work);
+    }
+  return false;
+}
+
+void Driver::work_chain(const Chain& chain, bool from_last, bool forth) {
+  Chain order = chain;
+  if (from_last) std::reverse(order.begin(), order.end());
+  for (const Swath* swath : order) {
+    Task task{PieceKind::swath, swath->id, {swath_way(*swath, forth), swath_way(*swath, !forth)}};
+    std::erase_if(task.ways, [this](const Path& way) { return !fits(space_, terrain_.footprint, way); });
+    if (!drive_to(task)) {
+      put_off_.push_back(std::move(task));
+      continue;
+    }
+    const Point end = here_->at;
+    forth = distance_m(end, swath->from) < distance_m(end, swath->to);  // the neighbour is driven back
+  }
+}
+
+void Driver::work_chains(std::vector<Chain> chains, const Progress& progress) {
+  const std::size_t all = chains.size();
+  while (!chains.empty()) {
+    progress("driving", 1 - static_cast<double>(chains.size()) / static_cast<double>(all));
+    std::size_t best = 0;
+    bool from_last = false;
+    bool forth = true;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      for (const bool last : {false, true})
+        for (const bool way : {true, false}) {
+          const double far = far_m(start_pose(swath_way(last ? *chains[i].back() : *chains[i].front(), way)));
+          if (far < least - 1e-6) least = far, best = i, from_last = last, forth = way;
+        }
+    work_chain(chains[best], from_last, forth);
+    chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+}
+
+/// Nearest first; what cannot be reached from here is tried again from elsewhere, at last given up.
+void Driver::work_nearest(std::vector<Task> tasks) {
+  std::size_t failed = 0;
+  while (!tasks.empty() && failed < tasks.size()) {
+    const auto nearness = [this](const Task& task) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Path& way : task.ways) least = std::min(least, far_m(start_pose(way)));
+      return least;
+    };
+    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) { return nearness(a) < nearness(b); });
+    const auto next = tasks.begin() + static_cast<std::ptrdiff_t>(failed);
+    std::stable_sort(next->ways.begin(), next->ways.end(),
+                     [this](const Path& a, const Path& b) { return far_m(start_pose(a)) < far_m(start_pose(b)); });
+    if (drive_to(*next)) {
+      tasks.erase(next);
+      failed = 0;
+    } else {
+      ++failed;
+    }
+  }
+  for (Task& task : tasks) put_off_.push_back(std::move(task));
+}
+
+/// A closed pass begun at stations all around, both ways round where the machine fits.
+std::vector<Path> Driver::ring_ways(const HeadlandPass& pass) const {
+  std::vector<Path> ways;
+  std::vector<Path> rounds{pass.path};
+  if (Path back = turned_round(pass.path); fits(space_, terrain_.footprint, back)) rounds.push_back(std::move(back));
+  for (const Path& round : rounds) {
+    Track track = track_of(round);
+    if (here_)
+      std::stable_sort(track.stations.begin(), track.stations.end(), [this](const Track::Station& a, const Track::Station& b) {
+        return far_m(a.pose) < far_m(b.pose);
+      });
+    for (std::size_t k = 0; k < track.stations.size() && k < kRingStarts; ++k) {
+      const double s = track.stations[k].s_m;
+      ways.push_back(part_of(round, s, s + track.length_m));
+    }
+  }
+  std::stable_sort(ways.begin(), ways.end(),
+                   [this](const Path& a, const Path& b) { return far_m(start_pose(a)) < far_m(start_pose(b)); });
+  return ways;
+}
+
+void Driver::work_headland(bool inside_out) {
+  std::vector<const HeadlandPass*> order;
+  for (const HeadlandPass& pass : layout_.headland_passes) order.push_back(&pass);
+  const auto ring = [inside_out](const HeadlandPass* p) { return inside_out ? -p->ring : p->ring; };
+  std::stable_sort(order.begin(), order.end(), [&](const HeadlandPass* a, const HeadlandPass* b) { return ring(a) < ring(b); });
+  for (std::size_t i = 0; i < order.size();) {  // rings of one depth: nearest first
+    std::size_t last = i;
+    while (last < order.size() && order[last]->ring == order[i]->ring) ++last;
+    std::vector<const HeadlandPass*> same(order.begin() + static_cast<std::ptrdiff_t>(i), order.begin() + static_cast<std::ptrdiff_t>(last));
+    while (!same.empty()) {
+      const auto nearest = std::min_element(same.begin(), same.end(), [this](const HeadlandPass* a, const HeadlandPass* b) {
+        return far_m(start_pose(a->path)) < far_m(start_pose(b->path));
+      });
+      const HeadlandPass& pass = **nearest;
+      Task task{PieceKind::headland_pass, pass.id, pass.closed ? ring_ways(pass) : std::vector<Path>{pass.path}};
+      if (!drive_to(task)) put_off_.push_back(std::move(task));
+      same.erase(nearest);
+    }
+    i = last;
+  }
+}
+
+std::optional<Pose> Driver::at_gate(const Block& block, std::size_t gate, bool inwards) const {
+  const BlockGate& g = block.gates[gate];
+  const double room = (inwards ? std::max(machine_.rear_m, -machine_.tool_x_m) : std::max(machine_.front_m, machine_.tool_x_m)) + kGateRoom_m;
+  const Pose pose{g.at + room * unit(g.inward_rad), inwards ? g.inward_rad : g.inward_rad + std::numbers::pi};
+  if (!fits(space_, terrain_.footprint, pose)) return std::nullopt;
+  return pose;
+}
+
+Result<Route> Driver::drive(const Block& block, const RouteOptions& options, const Progress& progress) {
+  std::optional<Pose> out;
+  if (options.gate) {
+    const BlockGate& gate = block.gates[*options.gate];
+    if (gate.width_m && *gate.width_m < machine_.body_width_m)
+      return Infeasible{"gate " + gate.name + " is " + fixed(*gate.width_m, 2) + " m wide, the machine's body " +
+                        fixed(machine_.body_width_m, 2) + " m"};
+    here_ = at_gate(block, *options.gate, true);
+    out = at_gate(block, *options.gate, false);
+    if (!here_) route_.notes.push_back("the machine does not fit inside gate " + gate.name + " square to the border; the drive starts elsewhere");
+  }
+  if (options.headland == HeadlandOrder::first) work_headland(false);
+  work_chains(chains_of(layout_.swaths, layout_.along), progress);
+  std::vector<Task> rest;
+  for (const Swath& pocket : layout_.pockets) rest.push_back(swath_task(pocket));
+  rest.insert(rest.end(), std::make_move_iterator(put_off_.begin()), std::make_move_iterator(put_off_.end()));
+  put_off_.clear();
+  work_nearest(std::move(rest));
+  if (options.headland == HeadlandOrder::last) work_headland(true);
+  std::vector<Task> again;
+  again.swap(put_off_);
+  work_nearest(std::move(again));
+  for (const Task& task : put_off_) route_.left_out.push_back(task.id);
+  const bool any = std::any_of(route_.pieces.begin(), route_.pieces.end(), [](const RoutePiece& p) { return p.kind == PieceKind::swath; });
+  if (!any) return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
+  if (out) {
+    const auto way = connect(terrain_, *here_, *out);
+    if (way) route_.pieces.push_back({PieceKind::transfer, "", *way});
+    else route_.notes.push_back("no way back to gate " + block.gates[*options.gate].name + " was found; the drive ends elsewhere");
+  }
+  return std::move(route_);
+}
+
+}  // namespace
+
+Result<Route> route(const Block& block, const Layout& layout, const Machine& machine, const RouteOptions& options,
+                    const Progress& progress) {
+  return Driver{block, layout, machine}.drive(block, options, progress);
+}
+
+}  // namespace selion
