@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "selion/core/point.hpp"
+
+namespace selion {
+
+/// One value in a parsed JSON text and its place there: whatever is asked of it and is not so throws an InputError that
+/// names the place. Valid as long as its document.
+class JsonNode {
+ public:
+  /// The member `key` of an object; it must be there.
+  [[nodiscard]] JsonNode at(std::string_view key) const;
+  [[nodiscard]] std::optional<JsonNode> find(std::string_view key) const;
+  [[nodiscard]] std::vector<JsonNode> items() const;
+
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] double number() const;
+  [[nodiscard]] int whole(int low) const;
+  [[nodiscard]] std::vector<double> numbers() const;
+  [[nodiscard]] std::vector<int> wholes(int low) const;
+  /// [longitude, latitude]
+  [[nodiscard]] LonLat position() const;
+  [[nodiscard]] std::vector<LonLat> positions() const;
+
+  /// The same value, called `place` in messages: "feature 3 (swath)".
+  [[nodiscard]] JsonNode called(const std::string& place) const;
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  friend class JsonDocument;
+  JsonNode(const void* value, std::string place, std::string path)
+      : value_{value}, place_{std::move(place)}, path_{std::move(path)} {}
+  [[nodiscard]] JsonNode item(const void* value, std::size_t i) const;
+  void must_be(bool right, const char* what) const;
+
+  const void* value_;   // of the parser's type, which only the .cpp knows
+  std::string place_;   // "plan.geojson: feature 3 (swath)"
+  std::string path_;    // "properties.pieces[4].gear"
+};
+
+class JsonDocument {
+ public:
+  /// @throws InputError where `text` is not JSON, naming `where` and the byte.
+  JsonDocument(const std::string& text, const std::string& where);
+  JsonDocument(const JsonDocument&) = delete;
+  JsonDocument& operator=(const JsonDocument&) = delete;
+  ~JsonDocument();
+
+  [[nodiscard]] JsonNode root() const;
+
+ private:
+  struct Held;
+  std::unique_ptr<Held> held_;
+  std::string where_;
+};
+
+bool is_json_object(const std::string& text);
+
+}  // namespace selion

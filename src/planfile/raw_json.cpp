@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raw_json.hpp"
+
+#include <algorithm>
+
+namespace selion {
+namespace {
+
+constexpr std::string_view kSpace = " \t\r\n";
+
+std::size_t after_space(std::string_view json, std::size_t at) { return std::min(json.find_first_not_of(kSpace, at), json.size()); }
+
+/// `at` is on the opening quote.
+std::size_t after_string(std::string_view json, std::size_t at) {
+  for (++at; at < json.size() && json[at] != '"'; ++at) {
+    if (json[at] == '\\') ++at;
+  }
+  return std::min(at + 1, json.size());
+}
+
+std::size_t after_value(std::string_view json, std::size_t at) {
+  int depth = 0;
+  while (at < json.size()) {
+    const char c = json[at];
+    const bool closing = c == '}' || c == ']';
+    if (depth == 0 && (closing || c == ',' || kSpace.find(c) != std::string_view::npos)) return at;
+    if (c == '{' || c == '[') ++depth;
+    if (closing) --depth;
+    at = c == '"' ? after_string(json, at) : at + 1;
+    if (depth == 0 && (closing || c == '"')) return at;
+  }
+  return at;
+}
+
+}  // namespace
+
+std::vector<RawMember> raw_members(std::string_view json) {
+  std::vector<RawMember> out;
+  std::size_t at = json.find('{');
+  while (at < json.size() && json[at] != '}') {
+    const std::size_t key = after_space(json, at + 1);  // behind the brace or the comma
+    if (key == json.size() || json[key] != '"') break;
+    const std::size_t key_end = after_string(json, key);
+    const std::size_t value = after_space(json, json.find(':', key_end) + 1);
+    const std::size_t value_end = after_value(json, value);
+    out.push_back({json.substr(key + 1, key_end - key - 2), json.substr(value, value_end - value)});
+    at = after_space(json, value_end);
+  }
+  return out;
+}
+
+std::string_view raw_member(std::string_view json, std::string_view key) {
+  std::string_view found;
+  for (const RawMember& member : raw_members(json)) {
+    if (member.key == key) found = member.value;
+  }
+  return found;
+}
+
+std::string compacted(std::string_view json) {
+  std::string out;
+  std::size_t at = 0;
+  while ((at = after_space(json, at)) < json.size()) {
+    const std::size_t end = json[at] == '"' ? after_string(json, at) : at + 1;
+    out += json.substr(at, end - at);
+    at = end;
+  }
+  return out;
+}
+
+}  // namespace selion
