@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
 #include <clocale>
 #include <limits>
 #include <stdexcept>
 
 #include "selion/core/format.hpp"
-#include "test.hpp"
 
 using selion::append_fixed;
 using selion::fixed;
@@ -40,7 +41,8 @@ TEST_CASE("numbers are written behind what is there", "[core][format]") {
 }
 
 TEST_CASE("no locale changes the point", "[core][format]") {
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) WARN("skipped: no locale de_DE.UTF-8 on this machine");
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+    WARN("skipped: no locale de_DE.UTF-8 on this machine");
   CHECK(fixed(1234.5, 1) == "1234.5");
   std::setlocale(LC_ALL, "C");
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
 #include <limits>
 #include <stdexcept>
 
 #include "selion/core/json_writer.hpp"
-#include "test.hpp"
 
 using selion::JsonSpread;
 using selion::JsonWriter;
@@ -42,7 +43,8 @@ TEST_CASE("quotes, backslashes and control characters are escaped", "[core][json
 TEST_CASE("well-formed UTF-8 passes, each other byte becomes a replacement character", "[core][json]") {
   const std::string_view good = "\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8C\xBE";
   CHECK(quoted(good) == "\"" + std::string{good} + "\"");
-  const auto bad = GENERATE("\xE9", "\x80", "\xC3", "\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82");
+  const auto bad =
+      GENERATE("\xE9", "\x80", "\xC3", "\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82");
   const std::string text = quoted(std::string{bad} + "x");
   CHECK(text.find("\xEF\xBF\xBD") == 1);
   CHECK(text.substr(text.size() - 2) == "x\"");

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <numbers>
+#include "test.hpp"
+
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "planfile_samples.hpp"
 #include "selion/planfile/planfile.hpp"
-#include "test.hpp"
 
 using namespace selion;
 
@@ -15,8 +17,12 @@ PlanFile read(const std::string& text) { return plan_from_geojson(text, "plan.ge
 struct Chance {
   std::mt19937_64 engine;
 
-  double between(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53; }
-  int whole(int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
+  }
+  int whole(int low, int high) {
+    return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));
+  }
   LonLat place() { return {between(-180, 180), between(-90, 90)}; }
 
   LonLatLine line(int least) {
@@ -37,7 +43,8 @@ struct Chance {
   /// Any bytes but those that are not UTF-8.
   std::string text() {
     std::string out;
-    for (int i = whole(0, 12); i > 0; --i) out += whole(0, 9) == 0 ? "\xE2\x82\xAC" : std::string(1, static_cast<char>(whole(0, 127)));
+    for (int i = whole(0, 12); i > 0; --i)
+      out += whole(0, 9) == 0 ? "\xE2\x82\xAC" : std::string(1, static_cast<char>(whole(0, 127)));
     return out;
   }
 
@@ -68,7 +75,10 @@ struct Chance {
   }
 
   TrajectoryRecord trajectory() {
-    TrajectoryRecord t{.block = whole(1, 9), .robot = whole(1, 9), .working_width_m = between(0, 50), .length_m = between(0, 1e6)};
+    TrajectoryRecord t{.block = whole(1, 9),
+                       .robot = whole(1, 9),
+                       .working_width_m = between(0, 50),
+                       .length_m = between(0, 1e6)};
     t.duration_s = between(0, 1e6);
     for (int i = whole(1, 5); i > 0; --i) t.pieces.push_back(piece());
     t.line = line(2);
@@ -94,7 +104,8 @@ struct Chance {
     p.ab_lines.push_back({whole(1, 99), place(), place(), between(0, 360)});
     p.headlands.push_back({whole(1, 99), parts(), between(0, 100), whole(0, 9)});
     p.headland_passes.push_back({whole(1, 99), text(), whole(1, 9), line(2), between(0, 50)});
-    p.swaths.push_back({whole(1, 99), text(), text(), line(2), between(0, 50), between(0, 5000), whole(0, 999)});
+    p.swaths.push_back(
+        {whole(1, 99), text(), text(), line(2), between(0, 50), between(0, 5000), whole(0, 999)});
     p.trajectories.push_back(trajectory());
     return p;
   }
@@ -132,7 +143,8 @@ TEST_CASE("a plan of no features is a plan", "[planfile][round_trip]") {
 
 TEST_CASE("the job keeps its keys' order and its numbers' digits", "[planfile][round_trip]") {
   PlanFile plan = sample_plan();
-  plan.job_json = R"({"z":1.50,"a":{"selion":"{\"job\":1}","job":[1e5,-0.0,12345678901234567890]},"m":"é \\ \"}"})";
+  plan.job_json =
+      R"({"z":1.50,"a":{"selion":"{\"job\":1}","job":[1e5,-0.0,12345678901234567890]},"m":"é \\ \"}"})";
   CHECK(read(to_geojson(plan)).job_json == plan.job_json);
 }
 
@@ -142,7 +154,8 @@ TEST_CASE("a job on many lines is made compact", "[planfile][round_trip]") {
   CHECK(read(to_geojson(plan)).job_json == R"({"a b":[1,2],"c":"d  e"})");
 }
 
-TEST_CASE("features in another order and with members that nobody asks for are read", "[planfile][round_trip]") {
+TEST_CASE("features in another order and with members that nobody asks for are read",
+          "[planfile][round_trip]") {
   std::string text = to_geojson(sample_plan());
   const std::size_t begin = text.find("    {\"type\": \"Feature\"");
   const std::size_t end = text.find('\n', begin) + 1;
@@ -150,6 +163,17 @@ TEST_CASE("features in another order and with members that nobody asks for are r
   text.erase(begin, field.size());
   text = replaced(text, "\"features\": [\n", "\"name\": \"plan\", \"features\": [\n");
   const std::size_t last = text.rfind("\n  ]");
-  text.insert(last, ",\n" + replaced(field.substr(0, field.size() - 2), "\"type\": \"Feature\"", "\"id\": 7, \"type\": \"Feature\""));
+  text.insert(last, ",\n" + replaced(field.substr(0, field.size() - 2), "\"type\": \"Feature\"",
+                                     "\"id\": 7, \"type\": \"Feature\""));
   CHECK(read(text) == sample_plan());
+}
+
+TEST_CASE("the example of docs/plan.md is a plan file, byte for byte", "[planfile][round_trip]") {
+  std::ifstream page{SELION_DATA_DIR "/../docs/plan.md"};
+  REQUIRE(page);
+  const std::string text{std::istreambuf_iterator<char>{page}, {}};
+  const std::string fence = "```json\n";
+  const std::size_t begin = text.find(fence) + fence.size();
+  const std::string example = text.substr(begin, text.find("```", begin) - begin);
+  CHECK(to_geojson(read(example)) == example);
 }

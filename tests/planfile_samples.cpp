@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planfile_samples.hpp"
+#include "test.hpp"
 
 #include <cmath>
-
-#include "test.hpp"
 
 using namespace selion;
 
@@ -21,8 +20,19 @@ LonLatLine backwards(const LonLatLine& ring) { return {ring[0], ring[3], ring[2]
 TrajectoryRecord sample_trajectory(int block) {
   TrajectoryRecord t{.block = block, .robot = 1, .working_width_m = 3, .length_m = 42.5, .duration_s = 71.25};
   t.pieces = {
-      {.kind = "swath", .ref = "1", .x_m = -12.5, .y_m = 3.123456789, .heading_rad = 0.785398163397, .length_m = 30, .tool = 1},
-      {.kind = "turn", .x_m = 8, .curvature_per_m = 0.25, .sharpness_per_m2 = -0.327, .length_m = 4.5, .offset_m = 0.5},
+      {.kind = "swath",
+       .ref = "1",
+       .x_m = -12.5,
+       .y_m = 3.123456789,
+       .heading_rad = 0.785398163397,
+       .length_m = 30,
+       .tool = 1},
+      {.kind = "turn",
+       .x_m = 8,
+       .curvature_per_m = 0.25,
+       .sharpness_per_m2 = -0.327,
+       .length_m = 4.5,
+       .offset_m = 0.5},
       {.kind = "turn", .x_m = 9, .y_m = 1, .heading_rad = -3.141592653589, .length_m = 4, .gear = -1},
       {.kind = "pivot", .x_m = 9, .y_m = 1, .angle_rad = 1.57079633, .duration_s = 6.5},
       {.kind = "wait", .x_m = 9, .y_m = 1, .duration_s = 12.25, .for_robot = 2, .until_station_m = 100.5},
@@ -45,18 +55,24 @@ PlanFile sample_plan() {
   plan.id = "0123456789abcdef";
   plan.proj = "+proj=tmerc +lat_0=46.3367 +lon_0=3.4094 +k=1 +ellps=WGS84";
   plan.origin = {3.4094, 46.3367};
-  plan.job_json = R"({"operation":"seeding","machine":{"working_width_m":3.0,"name":"a \"b\" }{"},"ab":[],"z":1e-3,"a":null})";
+  plan.job_json =
+      R"({"operation":"seeding","machine":{"working_width_m":3.0,"name":"a \"b\" }{"},"ab":[],"z":1e-3,"a":null})";
   plan.summary = {{"covered_m2", 50912.25}, {"area_m2", 51000}, {"worked_twice_m2", 0}};
   plan.warnings = {"the boundary's accuracy is unknown", "tab\tand \"quotes\""};
-  const LonLatArea ring{square(3.409, 46.336, 0.004), {backwards(square(3.41, 46.337, 0.001)), backwards(square(3.412, 46.337, 0.0005))}};
-  plan.fields = {{{ring, {square(3.42, 46.336, 0.001), {}}}, "Près du bois", 51000.5, {"1 spike removed", "closed"}}};
-  plan.obstacles = {{1, {square(3.41, 46.337, 0.001), {}}, "pond", "water"}, {2, {square(3.4203, 46.3362, 0.0001), {}}, "", "obstacle"}};
+  const LonLatArea ring{square(3.409, 46.336, 0.004),
+                        {backwards(square(3.41, 46.337, 0.001)), backwards(square(3.412, 46.337, 0.0005))}};
+  plan.fields = {
+      {{ring, {square(3.42, 46.336, 0.001), {}}}, "Près du bois", 51000.5, {"1 spike removed", "closed"}}};
+  plan.obstacles = {{1, {square(3.41, 46.337, 0.001), {}}, "pond", "water"},
+                    {2, {square(3.4203, 46.3362, 0.0001), {}}, "", "obstacle"}};
   plan.gates = {{1, {3.409, 46.3365}, "north", 4.5}, {2, {3.42, 46.3365}, "", std::nullopt}};
   plan.cells = {{1, "1", {ring}, 12.5}, {2, "2", {{square(3.4201, 46.3361, 0.0008), {}}}, 0}};
   plan.ab_lines = {{1, {3.4091, 46.3361}, {3.4092, 46.3399}, 1.25}};
-  plan.headlands = {{1, {{square(3.409, 46.336, 0.004), {backwards(square(3.4092, 46.3362, 0.0036))}}}, 6.5, 2}};
+  plan.headlands = {
+      {1, {{square(3.409, 46.336, 0.004), {backwards(square(3.4092, 46.3362, 0.0036))}}}, 6.5, 2}};
   plan.headland_passes = {{1, "H1", 1, square(3.4091, 46.3361, 0.0038), 3}};
-  plan.swaths = {{1, "12a", "1", {{3.41, 46.3363}, {3.41, 46.3397}}, 3, 378.1234, 7}, {2, "P3", "2", {{3.4202, 46.3363}, {3.4203, 46.3364}}, 3, 12, 0}};
+  plan.swaths = {{1, "12a", "1", {{3.41, 46.3363}, {3.41, 46.3397}}, 3, 378.1234, 7},
+                 {2, "P3", "2", {{3.4202, 46.3363}, {3.4203, 46.3364}}, 3, 12, 0}};
   plan.trajectories = {sample_trajectory(1), sample_trajectory(2)};
   return plan;
 }

@@ -11,8 +11,11 @@ namespace selion {
 
 void append_fixed(std::string& out, double value, int decimals) {
   if (!std::isfinite(value)) throw std::logic_error{"a number to be written is not finite"};
-  std::array<char, 340> digits{};  // a sign, the 309 digits of the largest double, a point and 17 decimals fit
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
+  std::array<char, 340>
+      digits{};  // a sign, the 309 digits of the largest double, a point and 17 decimals fit
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals)
+          .ptr;
   std::string_view text{digits.data(), static_cast<std::size_t>(end - digits.data())};
   const bool negative_zero = text.front() == '-' && text.find_first_not_of("-0.") == std::string_view::npos;
   if (negative_zero) text.remove_prefix(1);

@@ -11,9 +11,12 @@ namespace {
 
 bool between(unsigned char byte, int low, int high) { return byte >= low && byte <= high; }
 
-/// The length of the well-formed character that `text` starts with (RFC 3629, section 4), 0 where there is none.
+/// The length of the well-formed character that `text` starts with (RFC 3629, section 4), 0 where there is
+/// none.
 std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : static_cast<unsigned char>(0); };
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : static_cast<unsigned char>(0);
+  };
   const auto tail = [&](std::size_t i) { return between(byte(i), 0x80, 0xBF); };
   const unsigned char first = byte(0);
   if (first < 0x80) return 1;
@@ -34,10 +37,17 @@ std::size_t utf8_length(std::string_view text) {
 void append_control(std::string& out, char control) {
   constexpr std::string_view kHex = "0123456789abcdef";
   switch (control) {
-    case '\n': out += "\\n"; return;
-    case '\r': out += "\\r"; return;
-    case '\t': out += "\\t"; return;
-    default: break;
+    case '\n':
+      out += "\\n";
+      return;
+    case '\r':
+      out += "\\r";
+      return;
+    case '\t':
+      out += "\\t";
+      return;
+    default:
+      break;
   }
   const auto code = static_cast<unsigned char>(control);
   out += "\\u00";

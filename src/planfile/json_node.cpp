@@ -26,7 +26,8 @@ LonLat position_of(const Json& value) { return {value[0].get<double>(), value[1]
 
 std::string must_be_text(const char* what, const Json& value) {
   const bool is_short = value.is_primitive() && !value.is_string();
-  return std::string{"must be "} + what + ", not " + (is_short ? value.dump() : std::string{"of type "} + value.type_name());
+  return std::string{"must be "} + what + ", not " +
+         (is_short ? value.dump() : std::string{"of type "} + value.type_name());
 }
 
 }  // namespace
@@ -87,7 +88,8 @@ std::vector<double> JsonNode::numbers() const {
   must_be(json(value_).is_array(), "an array");
   std::vector<double> out;
   out.reserve(json(value_).size());
-  for (const Json& value : json(value_)) out.push_back(value.is_number() ? value.get<double>() : item(&value, out.size()).number());
+  for (const Json& value : json(value_))
+    out.push_back(value.is_number() ? value.get<double>() : item(&value, out.size()).number());
   return out;
 }
 
@@ -95,7 +97,8 @@ std::vector<int> JsonNode::wholes(int low) const {
   must_be(json(value_).is_array(), "an array");
   std::vector<int> out;
   out.reserve(json(value_).size());
-  for (const Json& value : json(value_)) out.push_back(is_whole(value, low) ? value.get<int>() : item(&value, out.size()).whole(low));
+  for (const Json& value : json(value_))
+    out.push_back(is_whole(value, low) ? value.get<int>() : item(&value, out.size()).whole(low));
   return out;
 }
 
@@ -108,7 +111,8 @@ std::vector<LonLat> JsonNode::positions() const {
   must_be(json(value_).is_array(), "an array of positions");
   std::vector<LonLat> out;
   out.reserve(json(value_).size());
-  for (const Json& value : json(value_)) out.push_back(is_position(value) ? position_of(value) : item(&value, out.size()).position());
+  for (const Json& value : json(value_))
+    out.push_back(is_position(value) ? position_of(value) : item(&value, out.size()).position());
   return out;
 }
 
@@ -116,12 +120,14 @@ struct JsonDocument::Held {
   Json root;
 };
 
-JsonDocument::JsonDocument(const std::string& text, const std::string& where) : held_{std::make_unique<Held>()}, where_{where} {
+JsonDocument::JsonDocument(const std::string& text, const std::string& where)
+    : held_{std::make_unique<Held>()}, where_{where} {
   try {
     held_->root = Json::parse(text);
   } catch (const Json::parse_error& error) {
     const std::string end = error.byte > text.size() ? " (the end of the file: it is cut short)" : "";
-    throw InputError{where + ": byte " + std::to_string(error.byte) + end + ": this is not JSON; plan the field anew, or fetch the file again"};
+    throw InputError{where + ": byte " + std::to_string(error.byte) + end +
+                     ": this is not JSON; plan the field anew, or fetch the file again"};
   } catch (const Json::exception& error) {
     throw InputError{where + ": " + error.what() + "; no plan file holds such a value"};
   }

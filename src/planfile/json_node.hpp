@@ -12,8 +12,8 @@
 
 namespace selion {
 
-/// One value in a parsed JSON text and its place there: whatever is asked of it and is not so throws an InputError that
-/// names the place. Valid as long as its document.
+/// One value in a parsed JSON text and its place there: whatever is asked of it and is not so throws an
+/// InputError that names the place. Valid as long as its document.
 class JsonNode {
  public:
   /// The member `key` of an object; it must be there.
@@ -41,9 +41,9 @@ class JsonNode {
   [[nodiscard]] JsonNode item(const void* value, std::size_t i) const;
   void must_be(bool right, const char* what) const;
 
-  const void* value_;   // of the parser's type, which only the .cpp knows
-  std::string place_;   // "plan.geojson: feature 3 (swath)"
-  std::string path_;    // "properties.pieces[4].gear"
+  const void* value_;  // of the parser's type, which only the .cpp knows
+  std::string place_;  // "plan.geojson: feature 3 (swath)"
+  std::string path_;   // "properties.pieces[4].gear"
 };
 
 class JsonDocument {

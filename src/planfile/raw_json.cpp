@@ -8,7 +8,9 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
 
-std::size_t after_space(std::string_view json, std::size_t at) { return std::min(json.find_first_not_of(kSpace, at), json.size()); }
+std::size_t after_space(std::string_view json, std::size_t at) {
+  return std::min(json.find_first_not_of(kSpace, at), json.size());
+}
 
 /// `at` is on the opening quote.
 std::size_t after_string(std::string_view json, std::size_t at) {

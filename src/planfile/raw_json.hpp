@@ -10,7 +10,7 @@ namespace selion {
 // All of these take valid JSON.
 
 struct RawMember {
-  std::string_view key;    ///< without its quotes, escapes as they stand
+  std::string_view key;  ///< without its quotes, escapes as they stand
   std::string_view value;
 };
 

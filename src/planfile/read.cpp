@@ -61,9 +61,13 @@ void read_cell(const JsonNode& feature, PlanFile& plan) {
 void read_ab(const JsonNode& feature, PlanFile& plan) {
   const JsonNode properties = feature.at("properties");
   const LonLatLine line = read_line(feature);
-  if (line.size() != 2) feature.at("geometry").fail("must be a line from A to B, of 2 positions, not " + std::to_string(line.size()));
-  plan.ab_lines.push_back(
-      {.block = block(properties), .a = line[0], .b = line[1], .bearing_deg = properties.at("bearing_deg").number()});
+  if (line.size() != 2)
+    feature.at("geometry")
+        .fail("must be a line from A to B, of 2 positions, not " + std::to_string(line.size()));
+  plan.ab_lines.push_back({.block = block(properties),
+                           .a = line[0],
+                           .b = line[1],
+                           .bearing_deg = properties.at("bearing_deg").number()});
 }
 
 void read_headland(const JsonNode& feature, PlanFile& plan) {
@@ -94,7 +98,9 @@ void read_swath(const JsonNode& feature, PlanFile& plan) {
                          .order = properties.at("order").whole(0)});
 }
 
-void add_trajectory(const JsonNode& feature, PlanFile& plan) { plan.trajectories.push_back(read_trajectory(feature)); }
+void add_trajectory(const JsonNode& feature, PlanFile& plan) {
+  plan.trajectories.push_back(read_trajectory(feature));
+}
 
 struct FeatureKind {
   std::string_view name;
@@ -137,7 +143,10 @@ void read_summary(const JsonNode& summary, std::string_view raw, PlanFile& plan)
 
 void read_header(const JsonNode& root, std::string_view raw, PlanFile& plan) {
   const auto header = root.find("selion");
-  if (!header) root.fail("this is GeoJSON but no plan: the member \"selion\" is missing; give a plan.geojson written by selion plan");
+  if (!header)
+    root.fail(
+        "this is GeoJSON but no plan: the member \"selion\" is missing; give a plan.geojson written by "
+        "selion plan");
   plan.format = header->at("format").whole(0);
   if (plan.format != kPlanFormat) {
     header->at("format").fail("is " + std::to_string(plan.format) + ", this version of selion reads format " +

@@ -53,7 +53,8 @@ LonLatLine read_line(const JsonNode& feature) {
 std::vector<LonLatArea> read_parts(const JsonNode& feature) {
   std::vector<LonLatArea> parts;
   if (feature.at("geometry").at("type").text() == "MultiPolygon") {
-    for (const JsonNode& part : coordinates(feature, "MultiPolygon").items()) parts.push_back(read_rings(part));
+    for (const JsonNode& part : coordinates(feature, "MultiPolygon").items())
+      parts.push_back(read_rings(part));
   } else {
     parts.push_back(read_rings(coordinates(feature, "Polygon")));
   }

@@ -9,7 +9,8 @@
 
 namespace selion {
 
-// The geometry of a feature. Each throws an InputError where it is of another type or breaks a rule of the plan file.
+// The geometry of a feature. Each throws an InputError where it is of another type or breaks a rule of the
+// plan file.
 
 LonLat read_point(const JsonNode& feature);
 LonLatLine read_line(const JsonNode& feature);

@@ -56,7 +56,8 @@ TrajectoryRecord read_trajectory(const JsonNode& feature) {
   trajectory.working_width_m = properties.at("working_width_m").number();
   trajectory.length_m = properties.at("length_m").number();
   trajectory.duration_s = properties.at("duration_s").number();
-  for (const JsonNode& piece : properties.at("pieces").items()) trajectory.pieces.push_back(read_piece(piece));
+  for (const JsonNode& piece : properties.at("pieces").items())
+    trajectory.pieces.push_back(read_piece(piece));
   trajectory.t_s = properties.at("t_s").numbers();
   trajectory.heading_rad = properties.at("heading_rad").numbers();
   trajectory.curvature_per_m = properties.at("curvature_per_m").numbers();

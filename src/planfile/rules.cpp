@@ -20,7 +20,8 @@ std::string listed(std::span<const std::string_view> words) {
   return out;
 }
 
-Problem not_one_of(const std::string& key, const std::string& value, std::span<const std::string_view> words) {
+Problem not_one_of(const std::string& key, const std::string& value,
+                   std::span<const std::string_view> words) {
   if (std::ranges::find(words, value) != words.end()) return std::nullopt;
   return key + " \"" + value + "\" is not one of " + listed(words);
 }
@@ -33,7 +34,9 @@ Problem problem_of_ring(const LonLatLine& ring) {
   return std::nullopt;
 }
 
-Problem missing(const PieceRecord& piece, const std::string& key) { return "a " + piece.kind + " needs " + key; }
+Problem missing(const PieceRecord& piece, const std::string& key) {
+  return "a " + piece.kind + " needs " + key;
+}
 
 }  // namespace
 
@@ -81,15 +84,21 @@ Problem problem_of(const std::vector<SummaryFigure>& summary) {
   return std::nullopt;
 }
 
-Problem problem_of(const ObstacleRecord& obstacle) { return not_one_of("what", obstacle.what, kObstacleKinds); }
+Problem problem_of(const ObstacleRecord& obstacle) {
+  return not_one_of("what", obstacle.what, kObstacleKinds);
+}
 
 Problem problem_of(const PieceRecord& piece) {
   if (auto problem = not_one_of("kind", piece.kind, kPieceKinds)) return problem;
-  if (piece.gear != 1 && piece.gear != -1) return "gear is " + std::to_string(piece.gear) + ", it must be 1 or -1";
-  if (piece.tool != 0 && piece.tool != 1) return "tool is " + std::to_string(piece.tool) + ", it must be 0 or 1";
-  if (piece.length_m < 0) return "the curve's length is " + fixed(piece.length_m, 9) + ", it must not be negative";
+  if (piece.gear != 1 && piece.gear != -1)
+    return "gear is " + std::to_string(piece.gear) + ", it must be 1 or -1";
+  if (piece.tool != 0 && piece.tool != 1)
+    return "tool is " + std::to_string(piece.tool) + ", it must be 0 or 1";
+  if (piece.length_m < 0)
+    return "the curve's length is " + fixed(piece.length_m, 9) + ", it must not be negative";
   if (piece.kind == "pivot" && !piece.angle_rad) return missing(piece, "angle_rad");
-  if ((piece.kind == "pivot" || piece.kind == "wait") && !piece.duration_s) return missing(piece, "duration_s");
+  if ((piece.kind == "pivot" || piece.kind == "wait") && !piece.duration_s)
+    return missing(piece, "duration_s");
   if (piece.for_robot.has_value() != piece.until_station_m.has_value()) {
     return "for_robot and until_station_m stand together or not at all";
   }
@@ -101,7 +110,8 @@ Problem problem_of(const TrajectoryRecord& trajectory) {
   const std::size_t samples = trajectory.line.size();
   const auto wrong = [&](const char* key, std::size_t size) -> Problem {
     if (size == samples) return std::nullopt;
-    return std::string{key} + " has " + std::to_string(size) + " entries, there are " + std::to_string(samples) + " coordinates";
+    return std::string{key} + " has " + std::to_string(size) + " entries, there are " +
+           std::to_string(samples) + " coordinates";
   };
   if (auto problem = wrong("t_s", trajectory.t_s.size())) return problem;
   if (auto problem = wrong("heading_rad", trajectory.heading_rad.size())) return problem;

@@ -15,8 +15,8 @@ namespace selion {
 
 inline constexpr int kPlanFormat = 1;
 
-inline constexpr auto kPieceKinds =
-    std::to_array<std::string_view>({"swath", "headland_pass", "turn", "pivot", "transfer", "lane", "tramline", "wait"});
+inline constexpr auto kPieceKinds = std::to_array<std::string_view>(
+    {"swath", "headland_pass", "turn", "pivot", "transfer", "lane", "tramline", "wait"});
 inline constexpr auto kObstacleKinds = std::to_array<std::string_view>({"obstacle", "no_go", "water"});
 
 /// What is wrong with a record, in words that name key and value; absent where it is sound.

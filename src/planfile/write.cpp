@@ -12,9 +12,12 @@
 namespace selion {
 namespace {
 
-JsonWriter& metres(JsonWriter& json, const char* key, double value) { return json.key(key).number(value, kMetreDecimals); }
+JsonWriter& metres(JsonWriter& json, const char* key, double value) {
+  return json.key(key).number(value, kMetreDecimals);
+}
 
-JsonWriter& texts(JsonWriter& json, const char* key, const std::vector<std::string>& values, JsonSpread spread) {
+JsonWriter& texts(JsonWriter& json, const char* key, const std::vector<std::string>& values,
+                  JsonSpread spread) {
   json.key(key).begin_array(spread);
   for (const std::string& value : values) json.text(value);
   return json.end();
@@ -84,7 +87,8 @@ void write_job(JsonWriter& json, const std::string& job) {
 }
 
 void write_header(JsonWriter& json, const PlanFile& plan) {
-  if (plan.format != kPlanFormat) throw std::logic_error{"plan format " + std::to_string(plan.format) + " cannot be written"};
+  if (plan.format != kPlanFormat)
+    throw std::logic_error{"plan format " + std::to_string(plan.format) + " cannot be written"};
   check("summary", problem_of(plan.summary));
   check("origin", problem_of(plan.origin));
   json.key("selion").begin_object(JsonSpread::lines);

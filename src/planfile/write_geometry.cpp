@@ -10,12 +10,13 @@ namespace {
 
 constexpr double kUnitsPerDegree = 1e9;  // one unit of the last decimal
 
-/// Twice the area, in units of the last decimal, of the ring as it will stand in the file: an unrounded sliver could
-/// have the other sign, and would be turned about when the file is read and written again.
+/// Twice the area, in units of the last decimal, of the ring as it will stand in the file: an unrounded
+/// sliver could have the other sign, and would be turned about when the file is read and written again.
 double doubled_area(const LonLatLine& ring) {
   const auto from_first = [&](std::size_t i) {
     const auto units = [](double deg) { return std::round(deg * kUnitsPerDegree); };
-    return Point{units(ring[i].lon_deg) - units(ring[0].lon_deg), units(ring[i].lat_deg) - units(ring[0].lat_deg)};
+    return Point{units(ring[i].lon_deg) - units(ring[0].lon_deg),
+                 units(ring[i].lat_deg) - units(ring[0].lat_deg)};
   };
   double area = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += cross(from_first(i), from_first(i + 1));
@@ -31,7 +32,8 @@ LonLat rounded(LonLat position) {
 void write_ring(JsonWriter& json, const LonLatLine& ring, double sign) {
   const bool turn = sign * doubled_area(ring) < 0;
   json.begin_array(JsonSpread::line);
-  for (std::size_t i = 0; i <= ring.size(); ++i) write_position(json, ring[(turn ? ring.size() - i : i) % ring.size()]);
+  for (std::size_t i = 0; i <= ring.size(); ++i)
+    write_position(json, ring[(turn ? ring.size() - i : i) % ring.size()]);
   json.end();
 }
 
@@ -54,7 +56,9 @@ void check(const std::string& what, const Problem& problem) {
 }
 
 int at_least(int low, int value, const char* key) {
-  if (value < low) throw std::logic_error{std::string{key} + " is " + std::to_string(value) + ", it must be at least " + std::to_string(low)};
+  if (value < low)
+    throw std::logic_error{std::string{key} + " is " + std::to_string(value) + ", it must be at least " +
+                           std::to_string(low)};
   return value;
 }
 
@@ -97,7 +101,10 @@ void end_feature(JsonWriter& json, const std::vector<LonLatArea>& parts) {
 
 void write_position(JsonWriter& json, LonLat position) {
   const LonLat at = rounded(position);
-  json.begin_array(JsonSpread::line).number(at.lon_deg, kCoordinateDecimals).number(at.lat_deg, kCoordinateDecimals).end();
+  json.begin_array(JsonSpread::line)
+      .number(at.lon_deg, kCoordinateDecimals)
+      .number(at.lat_deg, kCoordinateDecimals)
+      .end();
 }
 
 }  // namespace selion

@@ -11,8 +11,8 @@
 
 namespace selion {
 
-// Decimals of plan.geojson (docs/plan.md, "Numbers"). A heading or curvature of a curve acts over the whole length of
-// its piece, and joints agree to 1e-6 m at the end of a swath of some kilometres: hence its twelve.
+// Decimals of plan.geojson (docs/plan.md, "Numbers"). A heading or curvature of a curve acts over the whole
+// length of its piece, and joints agree to 1e-6 m at the end of a swath of some kilometres: hence its twelve.
 inline constexpr int kCoordinateDecimals = 9;
 inline constexpr int kMetreDecimals = 4;
 inline constexpr int kSecondDecimals = 4;

@@ -5,7 +5,8 @@
 
 namespace selion {
 
-/// `value` rounded to `decimals` (0 to 17) digits after a point, "12.50", the same in every locale; zero has no sign.
+/// `value` rounded to `decimals` (0 to 17) digits after a point, "12.50", the same in every locale; zero has
+/// no sign.
 /// @throws std::logic_error where `value` is not finite: no file of ours may hold that.
 std::string fixed(double value, int decimals);
 

@@ -7,7 +7,8 @@
 
 namespace selion {
 
-/// How an object or array is set out: all on the line, or each member on a line of its own, two spaces deeper.
+/// How an object or array is set out: all on the line, or each member on a line of its own, two spaces
+/// deeper.
 enum class JsonSpread { line, lines };
 
 /// Writes JSON text, members in the order of the calls, numbers with fixed decimals: same calls, same bytes.

@@ -10,12 +10,12 @@
 
 namespace selion {
 
-// The records of plan.geojson, as docs/plan.md describes them: plain, in WGS84, nothing derived. Each member has
-// an initialiser, so that those with names may be left out.
+// The records of plan.geojson, as docs/plan.md describes them: plain, in WGS84, nothing derived. Each member
+// has an initialiser, so that those with names may be left out.
 
 using LonLatLine = std::vector<LonLat>;
 struct LonLatArea {
-  LonLatLine shell{};                 ///< not closed (the first corner is not repeated)
+  LonLatLine shell{};  ///< not closed (the first corner is not repeated)
   std::vector<LonLatLine> holes{};
 
   friend bool operator==(const LonLatArea&, const LonLatArea&) = default;
@@ -34,7 +34,7 @@ struct ObstacleRecord {
   int block = 1;
   LonLatArea area{};
   std::string name{};
-  std::string what{};                 ///< obstacle | no_go | water
+  std::string what{};  ///< obstacle | no_go | water
 
   friend bool operator==(const ObstacleRecord&, const ObstacleRecord&) = default;
 };
@@ -78,8 +78,8 @@ struct HeadlandRecord {
 
 struct HeadlandPassRecord {
   int block = 1;
-  std::string id{};                   ///< "H1", "H2" ...
-  int ring = 1;                     ///< 1 is outermost
+  std::string id{};  ///< "H1", "H2" ...
+  int ring = 1;      ///< 1 is outermost
   LonLatLine line{};
   double width_m = 0;
 
@@ -88,27 +88,27 @@ struct HeadlandPassRecord {
 
 struct SwathRecord {
   int block = 1;
-  std::string id{};                   ///< "12", "12a"; pocket pieces "P3"
+  std::string id{};  ///< "12", "12a"; pocket pieces "P3"
   std::string cell{};
-  LonLatLine line{};                  ///< from the A side to the B side
+  LonLatLine line{};  ///< from the A side to the B side
   double width_m = 0;
   double length_m = 0;
-  int order = 0;                    ///< place in the driving order, from 1; 0 where it is not driven
+  int order = 0;  ///< place in the driving order, from 1; 0 where it is not driven
 
   friend bool operator==(const SwathRecord&, const SwathRecord&) = default;
 };
 
 struct PieceRecord {
-  std::string kind{};                 ///< swath | headland_pass | turn | pivot | transfer | lane | tramline | wait
-  std::string ref{};                  ///< id of the swath or pass it drives; else empty
+  std::string kind{};  ///< swath | headland_pass | turn | pivot | transfer | lane | tramline | wait
+  std::string ref{};   ///< id of the swath or pass it drives; else empty
   double x_m = 0, y_m = 0, heading_rad = 0, curvature_per_m = 0, sharpness_per_m2 = 0, length_m = 0;
   double offset_m = 0;
   int gear = 1;
   int tool = 0;
-  std::optional<double> angle_rad{};       ///< pivot
-  std::optional<double> duration_s{};      ///< pivot, wait
-  std::optional<int> for_robot{};          ///< wait
-  std::optional<double> until_station_m{}; ///< wait
+  std::optional<double> angle_rad{};        ///< pivot
+  std::optional<double> duration_s{};       ///< pivot, wait
+  std::optional<int> for_robot{};           ///< wait
+  std::optional<double> until_station_m{};  ///< wait
 
   friend bool operator==(const PieceRecord&, const PieceRecord&) = default;
 };
@@ -142,11 +142,11 @@ struct SummaryFigure {
 struct PlanFile {
   int format = 1;
   std::string version{};
-  std::string proj{};                 ///< PROJ string of the local frame
+  std::string proj{};  ///< PROJ string of the local frame
   LonLat origin{};
-  std::string job_json{};             ///< the effective job, machines in full, as compact JSON
+  std::string job_json{};  ///< the effective job, machines in full, as compact JSON
   std::vector<SummaryFigure> summary{};
-  std::vector<std::string> warnings{};   ///< what a person must know before driving it
+  std::vector<std::string> warnings{};  ///< what a person must know before driving it
   std::string id{};
   std::vector<FieldRecord> fields{};
   std::vector<ObstacleRecord> obstacles{};
@@ -161,17 +161,18 @@ struct PlanFile {
   friend bool operator==(const PlanFile&, const PlanFile&) = default;
 };
 
-/// The bytes of plan.geojson: RFC 7946, fixed decimals by std::to_chars, the same on any machine and in any locale.
-/// Rings are wound as the RFC wants them. Reading it back and writing it again gives the same bytes.
-/// @throws std::logic_error for records that no reader could take: numbers that are not finite, lines of one position,
-/// arrays of unequal length, a job that is not a JSON object.
+/// The bytes of plan.geojson: RFC 7946, fixed decimals by std::to_chars, the same on any machine and in any
+/// locale. Rings are wound as the RFC wants them. Reading it back and writing it again gives the same bytes.
+/// @throws std::logic_error for records that no reader could take: numbers that are not finite, lines of one
+/// position, arrays of unequal length, a job that is not a JSON object.
 std::string to_geojson(const PlanFile& plan);
 
 /// @throws InputError where `text` is not a plan file: naming the place in it and what is wrong.
 PlanFile plan_from_geojson(const std::string& text, const std::string& where);
 
-/// What tells this plan from others: 16 hexadecimal digits of a 64-bit hash (FNV-1a with MurmurHash3's finaliser) of the
-/// cleaned input and the effective job. The same on every machine; no protection against forgery.
+/// What tells this plan from others: 16 hexadecimal digits of a 64-bit hash (FNV-1a with MurmurHash3's
+/// finaliser) of the cleaned input and the effective job. The same on every machine; no protection against
+/// forgery.
 std::string plan_id(const std::string& cleaned_input, const std::string& job_json);
 
 }  // namespace selion
