@@ -54,8 +54,8 @@ else
   exit 1
 fi
 
-echo "install-deps: installing$missing" >&2
-apt() { $as_root DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -qq -o Dpkg::Use-Pty=0 "$@" >&2; }
+echo "install-deps: installing$missing (a minute or two, about 1 GB on a bare machine)" >&2
+apt() { $as_root DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -qq -o Dpkg::Use-Pty=0 "$@" >/dev/null; }
 if ! apt update || ! apt install --yes --no-install-recommends $missing; then
   echo "install-deps: apt-get failed; look at its message above, at the network and at /etc/apt/sources.list" >&2
   exit 1
