@@ -1,18 +1,29 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Checks formatting, layers, headers and clang-tidy's rules; changes nothing.
+# Checks format, layers, headers and clang-tidy's rules; changes nothing.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 "$root/tools/install-deps.sh" --test --lint
 . "$root/tools/environment.sh"
+status=0
 
-find src include tests bench -name '*.cpp' -o -name '*.hpp' 2>/dev/null | sort | xargs clang-format --dry-run -Werror
-python3 tools/check_layers.py --self-test
-python3 tools/check_layers.py
-configure_and_build dev --target all_verify_interface_header_sets
-run-clang-tidy -quiet -p build/dev -j "$(nproc)" "$root/src/" >build/tidy.log 2>build/tidy.errors || {
-  grep -E '(warning|error):' build/tidy.log | sort -u >&2
-  cat build/tidy.errors >&2
-  exit 1
+unformatted=$(find src include tests bench \( -name '*.cpp' -o -name '*.hpp' \) 2>/dev/null | sort |
+  xargs clang-format --dry-run -Werror 2>&1 | sed -n 's/:[0-9]*:[0-9]*: error: code should.*//p' | uniq)
+if [ -n "$unformatted" ]; then
+  echo "lint: not formatted as .clang-format says; make format mends" $unformatted >&2
+  status=1
+fi
+
+python3 tools/check_layers.py --self-test || status=1
+python3 tools/check_layers.py || status=1
+
+configure_and_build dev --target all_verify_interface_header_sets >build/headers.log 2>&1 || {
+  cat build/headers.log >&2
+  status=1
 }
-echo "lint: nothing to mend"
+run-clang-tidy -quiet -p build/dev -j "$(nproc)" "$root/src/" >build/tidy.log 2>&1 || {
+  sed 's/\x1b\[[0-9;]*m//g' build/tidy.log | grep -E ' (warning|error): ' | sort -u >&2 || cat build/tidy.log >&2
+  status=1
+}
+[ "$status" -ne 0 ] || echo "lint: nothing to mend"
+exit "$status"
