@@ -21,14 +21,14 @@ std::string job_json(const Job& job) {
   for (const JobKey& key : job_keys()) {
     if (key.table != table) {
       if (!table.empty()) out += '}';
-      out += "," + quoted(key.table) + ":{";
+      out += "," + in_quotes(key.table) + ":{";
     } else if (out.size() > 1) {
       out += ',';
     }
     table = key.table;
     std::string value = text_of_value(key, key.get(job));
     if (key.type == JobType::line) std::erase(value, ' ');
-    out += quoted(key.name) + ":" + value;
+    out += in_quotes(key.name) + ":" + value;
   }
   return out + "}}";
 }

@@ -147,9 +147,9 @@ std::string text_of_value(const JobKey& key, const JobValue& value) {
   if (const bool* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   if (const std::string* text = std::get_if<std::string>(&value)) {
     const auto number = key.type == JobType::heading ? number_of_text(*text) : std::nullopt;
-    return number ? number_text(*number) : quoted(*text);
+    return number ? number_text(*number) : in_quotes(*text);
   }
-  if (std::holds_alternative<Absent>(value) && key.type != JobType::line) return quoted(key.absent);
+  if (std::holds_alternative<Absent>(value) && key.type != JobType::line) return in_quotes(key.absent);
   std::string out = "[";
   if (const auto* list = std::get_if<std::vector<double>>(&value))
     for (double number : *list) out += (out.size() > 1 ? ", " : "") + number_text(number);

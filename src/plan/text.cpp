@@ -6,6 +6,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "selion/core/json_writer.hpp"
+
 namespace selion {
 
 std::string number_text(double value) {
@@ -25,25 +27,6 @@ std::optional<double> number_of_text(std::string_view text) {
   return value;
 }
 
-std::string quoted(std::string_view text) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string out = "\"";
-  for (char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (c == '\n') {
-      out += "\\n";
-    } else if (byte < 0x20 || byte == 0x7f) {
-      out += "\\u00";
-      out += kHex[byte >> 4U];
-      out += kHex[byte & 15U];
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
+std::string in_quotes(std::string_view text) { return JsonWriter{}.text(text).str(); }
 
 }  // namespace selion

@@ -14,6 +14,6 @@ std::string number_text(double value);
 std::optional<double> number_of_text(std::string_view text);
 
 /// In double quotes, escaped as JSON and TOML both read it.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace selion

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "selion/core/error.hpp"
+
+namespace selion::cli {
+
+std::string text_of_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    throw InputError{file.string() + ": is a folder, not a file"};
+  errno = 0;
+  std::ifstream stream{file, std::ios::binary};
+  std::string text{std::istreambuf_iterator<char>{stream}, {}};
+  if (!stream.is_open() || stream.bad())
+    throw InputError{file.string() + ": cannot be read: " + std::generic_category().message(errno)};
+  return text;
+}
+
+}  // namespace selion::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "selion/field/read.hpp"
+#include "selion/plan/job_keys.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace selion::cli {
+
+// Options that commands share. Each struct holds what stood on the command line, as text; the functions below
+// read it.
+
+struct JobOptions {
+  std::optional<std::string> file;
+  std::map<std::string, std::string> flags;  ///< by the key's full name
+};
+std::shared_ptr<JobOptions> add_job_options(CLI::App& app);
+/// The effective job: the file's settings, then the flags. @throws InputError
+Job job_from(const JobOptions& options);
+
+struct FieldOptions {
+  std::optional<std::string> layer, crs, axis, field, obstacles, gates, accept_datum_error_m;
+};
+std::shared_ptr<FieldOptions> add_field_options(CLI::App& app);
+/// @throws InputError
+ReadOptions read_options_from(const FieldOptions& options);
+
+}  // namespace selion::cli
