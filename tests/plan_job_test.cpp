@@ -2,6 +2,8 @@
 #include "test.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -250,4 +252,20 @@ TEST_CASE("a job's JSON has no spaces and holds the machine in full", "[plan]") 
   CHECK_THAT(json, Contains("\"direction\":12.5,\"ab\":[3,46,3.1,46.1],"));
   CHECK_THAT(json, Catch::EndsWith("\"output\":{\"units\":\"metric\",\"paper\":\"A4\"}}"));
   CHECK(json.find(' ') == std::string::npos);
+}
+
+TEST_CASE("docs/job.md has each key with its flag, unit, default and meaning, and no other", "[plan]") {
+  std::ifstream stream{SELION_DATA_DIR "/../docs/job.md"};
+  const std::string page{std::istreambuf_iterator<char>{stream}, {}};
+  for (const JobKey& key : job_keys()) {
+    const std::string unit = key.unit.empty() ? "" : std::string{key.unit} + " ";
+    const std::string row = "| `" + std::string{key.name} + "` | `" + std::string{key.flag} + "` | " + unit +
+                            "| `" + text_of_value(key, key.get(Job{})) + "` | " + std::string{key.help} +
+                            " |";
+    CHECK_THAT(page, Contains("\n" + row + "\n"));
+  }
+  std::size_t rows = 0;
+  for (std::size_t at = page.find("\n| `"); at != std::string::npos; at = page.find("\n| `", at + 1))
+    if (page.find("` | `--", at) < page.find('\n', at + 1)) ++rows;
+  CHECK(rows == job_keys().size());
 }

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +19,8 @@
 
 namespace selion::cli {
 namespace {
+
+constexpr const char* kGroup = "Fields and results";
 
 struct PlanOptions {
   std::vector<std::string> files;
@@ -130,25 +133,19 @@ std::string json_entry(const Task& task, const Outcome& outcome) {
 class Results {
  public:
   Results(const PlanOptions& options, const Job& job, bool several)
-      : json_{options.json}, several_{several}, job_{job} {
-    if (json_ && several_) std::cout << "[\n";
+      : json_{options.json}, list_{options.json && several}, job_{job} {}
+
+  [[nodiscard]] std::string start() const { return list_ ? "[\n" : ""; }
+  [[nodiscard]] std::string next(const Task& task, const Outcome& outcome) {
+    const bool first = std::exchange(first_, false);
+    if (!json_) return summary_text(task, outcome, job_);
+    return list_ ? (first ? "" : ",\n") + json_entry(task, outcome) : outcome.report;
   }
-  void add(const Task& task, const Outcome& outcome) {
-    if (!json_)
-      std::cout << summary_text(task, outcome, job_) << std::flush;
-    else if (several_)
-      std::cout << (first_ ? "" : ",\n") << json_entry(task, outcome) << std::flush;
-    else
-      std::cout << outcome.report;
-    first_ = false;
-  }
-  void end() const {
-    if (json_ && several_) std::cout << "\n]\n";
-  }
+  [[nodiscard]] std::string end() const { return list_ ? "\n]\n" : ""; }
 
  private:
   bool json_;
-  bool several_;
+  bool list_;
   bool first_ = true;
   const Job& job_;
 };
@@ -189,12 +186,13 @@ int run_plan(const PlanOptions& options) {
   for (const Task& task : tasks) check_output(task.folder, output_names(), settings.existing);
 
   Results results{options, settings.job, several};
-  const int planned =
-      plan_fields(tasks, settings, threads, terminal, [&](const Task& task, const Outcome& outcome) {
-        tell_field(terminal, task, outcome);
-        results.add(task, outcome);
-      });
-  results.end();
+  terminal.result(results.start());
+  const auto tell = [&](const Task& task, const Outcome& outcome) {
+    tell_field(terminal, task, outcome);
+    terminal.result(results.next(task, outcome));
+  };
+  const int planned = plan_fields(tasks, settings, threads, terminal, tell);
+  terminal.result(results.end());
   return worse(status, planned);
 }
 
@@ -202,30 +200,24 @@ int run_plan(const PlanOptions& options) {
 
 Run setup_plan(CLI::App& app) {
   auto options = std::make_shared<PlanOptions>();
+  const auto text = [&app](const char* names, std::string& into, const char* type, const char* about) {
+    app.add_option(names, into, about)->type_name(type)->group(kGroup);
+  };
+  const auto flag = [&app](const char* names, bool& into, const char* about) {
+    app.add_flag(names, into, about)->group(kGroup);
+  };
   app.add_option("FIELD", options->files,
                  "any vector file with polygons, CSV of coordinates, or - for GeoJSON on standard input")
-      ->group("Fields and results");
-  app.add_option("-o,--out", options->folder,
-                 "the folder for map, paths and report; of several fields one folder each below it")
-      ->type_name("DIR")
-      ->group("Fields and results");
-  app.add_flag("--overwrite", options->overwrite, "replace the files of an earlier plan")
-      ->group("Fields and results");
-  app.add_flag("--json", options->json, "the report on standard output instead of the summary")
-      ->group("Fields and results");
-  app.add_flag("--print-job", options->print_job,
-               "print the job with all its defaults as TOML, and plan nothing")
-      ->group("Fields and results");
-  app.add_flag("--repair", options->repair, "accept repairs that move a boundary by more than 1 cm")
-      ->group("Fields and results");
-  app.add_option("--date", options->date, "a date for the map, YYYY-MM-DD or today [none]")
-      ->type_name("DATE")
-      ->group("Fields and results");
-  app.add_option("--threads", options->threads, "fields planned at the same time [all processors]")
-      ->type_name("COUNT")
-      ->group("Fields and results");
-  app.add_flag("-q,--quiet", options->quiet, "no notes and no progress; warnings and errors stay")
-      ->group("Fields and results");
+      ->group(kGroup);
+  text("-o,--out", options->folder, "DIR",
+       "the folder for map, paths and report; of several fields one folder each below it");
+  flag("--overwrite", options->overwrite, "replace the files of an earlier plan");
+  flag("--json", options->json, "the report on standard output instead of the summary");
+  flag("--print-job", options->print_job, "print the job with all its defaults as TOML, and plan nothing");
+  flag("--repair", options->repair, "accept repairs that move a boundary by more than 1 cm");
+  text("--date", options->date, "DATE", "a date for the map, YYYY-MM-DD or today [none]");
+  text("--threads", options->threads, "COUNT", "fields planned at the same time [all processors]");
+  flag("-q,--quiet", options->quiet, "no notes and no progress; warnings and errors stay");
   options->field = add_field_options(app);
   options->job = add_job_options(app);
   return [options] { return run_plan(*options); };

@@ -76,10 +76,10 @@ std::string summary_text(const Task& task, const Outcome& outcome, const Job& jo
          counted(t.passes, "headland pass", "headland passes") + "\n";
   out += "  " + length_text(t.length_m, job) + " in " + time_text(t.time_s) + ", " +
          percent_text(t.work_s, t.time_s) + " of it working\n";
-  out += "  " + (task.folder / "").string();
+  out += "  in " + printable((task.folder / "").string()) + ": ";
   for (std::string_view file : output_names())
-    out += (file == output_names().front() ? "{" : ",") + std::string{file};
-  return out + "}\n";
+    out += (file == output_names().front() ? "" : ", ") + std::string{file};
+  return out + "\n";
 }
 
 }  // namespace selion::cli

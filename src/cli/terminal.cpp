@@ -65,6 +65,12 @@ void Terminal::warning(std::string_view text) { say("33", "warning:", text); }
 
 void Terminal::error(std::string_view text) { say("31", "error:", text); }
 
+void Terminal::result(std::string_view text) {
+  const std::scoped_lock lock{mutex_};
+  clear_line();
+  std::cout << text << std::flush;
+}
+
 void Terminal::progress(std::string_view what, double share) {
   if (!draws_) return;
   constexpr int kWidth = 24;

@@ -13,7 +13,7 @@ enum class Loudness { quiet, normal };
 /// `text` without control characters: names from files may hold what would rule the terminal.
 std::string printable(std::string_view text);
 
-/// What is said on standard error. Safe to use from several threads.
+/// What is said on standard error, and results beside it. Safe to use from several threads.
 class Terminal {
  public:
   explicit Terminal(Loudness loudness);
@@ -24,6 +24,8 @@ class Terminal {
   void note(std::string_view text);  ///< not where quiet
   void warning(std::string_view text);
   void error(std::string_view text);
+  /// On standard output, not on top of the progress line.
+  void result(std::string_view text);
   /// One line, drawn over the last one; only on a terminal, and not where quiet.
   void progress(std::string_view what, double share);
 
