@@ -76,7 +76,7 @@ Polygons from_grid(const ClipperLib::PolyTree& tree) {
 }
 
 Polygons combined(ClipperLib::ClipType what, const Paths& subject, const Paths& clip) {
-  ClipperLib::Clipper clipper{ClipperLib::ioStrictlySimple};
+  ClipperLib::Clipper clipper;
   clipper.AddPaths(subject, ClipperLib::ptSubject, true);
   clipper.AddPaths(clip, ClipperLib::ptClip, true);
   ClipperLib::PolyTree tree;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "parts.hpp"
@@ -11,6 +12,8 @@ namespace {
 
 /// Headland rings follow the border to within this much; they overlap by twice as much so that no sliver stays between.
 constexpr double kFollow_m = 0.02;
+/// A turn this much longer than the shortest is taken where that saves depth; longer ones loop over the swaths.
+constexpr double kNotMuchLonger = 1.2;
 
 double farthest_x_m(const Footprint& f, const Pose& pose) {
   double most = -std::numeric_limits<double>::infinity();
@@ -29,6 +32,14 @@ std::vector<Ring> rings_of(const Polygons& areas) {
   return rings;
 }
 
+/// Less what is too narrow to drive in and out of again side by side.
+Polygons without_slits(const Ground& ground, const Polygons& areas) {
+  constexpr double kOfRadius = 0.6;
+  constexpr double kSharpest = 20;
+  const double narrow_m = kOfRadius / max_curvature_per_m(ground.machine);
+  return intersect(outset(inset(areas, narrow_m), narrow_m, kSharpest), areas);
+}
+
 }  // namespace
 
 Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m) {
@@ -45,9 +56,11 @@ Ground ground_of(const Block& block, const Machine& machine, double edge_margin_
 double turn_depth_m(const Machine& machine, double spacing_m) {
   const Footprint footprint = footprint_of(machine);
   const Pose out{{-machine.tool_x_m, 0}, 0};
-  const Pose back{{machine.tool_x_m + machine.run_in_m, spacing_m}, std::acos(-1.0)};
+  const Pose back{{machine.tool_x_m + machine.run_in_m, spacing_m}, std::numbers::pi};
+  const std::vector<Path> turns = connections(out, back, limits_at(machine, machine.turn_speed_mps));
   double least = std::numeric_limits<double>::infinity();
-  for (const Path& turn : connections(out, back, limits_at(machine, machine.turn_speed_mps))) {
+  for (const Path& turn : turns) {
+    if (length_m(turn) > kNotMuchLonger * length_m(turns.front())) break;
     double depth = 0;
     for (const Pose& pose : poses(turn, 0.1)) depth = std::max(depth, farthest_x_m(footprint, pose));
     least = std::min(least, depth);
@@ -66,18 +79,10 @@ double mainland_inset_m(const Ground& ground, int passes) {
 
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
   std::vector<HeadlandPass> laid;
-  const auto add = [&laid](int ring, Path path, bool closed) {
-    laid.push_back({"H" + std::to_string(laid.size() + 1), ring, std::move(path), closed});
-  };
-  for (int ring = 1; ring <= passes; ++ring) {
-    for (const Ring& line : rings_of(inset(ground.workable, ring_inset_m(ground, ring)))) {
-      if (auto path = rounded(ground, line)) {
-        add(ring, std::move(*path), true);
-        continue;
-      }
-      for (Path& run : straight_runs(ground, line)) add(ring, std::move(run), false);
-    }
-  }
+  for (int ring = 1; ring <= passes; ++ring)
+    for (const Ring& line : rings_of(without_slits(ground, inset(ground.workable, ring_inset_m(ground, ring)))))
+      for (HeadlandRun& run : drivable_along(ground, line))
+        laid.push_back({"H" + std::to_string(laid.size() + 1), ring, std::move(run.path), run.closed});
   return laid;
 }
 

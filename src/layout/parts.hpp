@@ -30,11 +30,15 @@ double mainland_inset_m(const Ground& ground, int passes);
 
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes);
 
-/// A closed drivable path along `ring` (its free side on the left), rounded inwards at left turns and swung out at right
-/// turns; absent where the machine cannot go round.
-std::optional<Path> rounded(const Ground& ground, const Ring& ring);
-/// The straight runs of `ring` that the machine can drive one by one, where it cannot go round.
-std::vector<Path> straight_runs(const Ground& ground, const Ring& ring);
+/// A drivable path, all around or a part of the way.
+struct HeadlandRun {
+  Path path;
+  bool closed = true;
+};
+
+/// Paths along `ring` (its free side on the left), rounded inwards at left turns and swung out at right turns: one closed
+/// path where the machine can go round, else the runs that it can drive.
+std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring);
 
 std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options, AbLine& ab);
 

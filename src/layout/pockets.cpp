@@ -10,7 +10,8 @@ namespace selion {
 namespace {
 
 constexpr double kSliver_m = 0.1;         // gaps narrower than twice this are guidance error, not a pocket
-constexpr double kPassWorth = 0.35;       // of a square of the working width: least area worth a pass
+constexpr double kPassWorth = 0.75;       // of a square of the working width: least area worth a pass
+constexpr double kLeastLength = 1.5;      // of the working width
 constexpr int kRounds = 2;
 
 Polygons covered_by(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets) {
@@ -100,7 +101,7 @@ std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
       from = -1;
     }
   }
-  if (longest < 0.5 * ground.machine.working_width_m) return std::nullopt;
+  if (longest < kLeastLength * ground.machine.working_width_m) return std::nullopt;
   return best;
 }
 

@@ -18,6 +18,10 @@ constexpr double kPush_m = 0.15;           // how far a corner that does not fit
 constexpr int kMostRepairs = 60;
 constexpr double kGentleCut_m = 0.05;      // a corner may be driven at working speed if that cuts no more than this
 
+constexpr double kLeastRun = 1;            // of the working width: shorter runs are not worth a pass
+
+bool is_line(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
+
 struct Vertex {
   Point at;
   bool pushed = false;     // swung out already: its neighbours on the edges stand
@@ -25,6 +29,18 @@ struct Vertex {
   double tangent_m = 0;
   CurveLimits limits;
 };
+
+/// Straight stretches that lie in one line put together again.
+Path straightened(const Path& path) {
+  Path out;
+  for (const Stretch& stretch : path) {
+    const bool line_on = !out.empty() && is_line(out.back().curve) && is_line(stretch.curve) &&
+                         std::abs(wrapped(out.back().curve.heading_rad - stretch.curve.heading_rad)) < 1e-12;
+    if (line_on) out.back().curve.length_m += stretch.curve.length_m;
+    else out.push_back(stretch);
+  }
+  return out;
+}
 
 /// A closed line of corners being made drivable.
 class CornerLine {
@@ -46,6 +62,8 @@ class CornerLine {
   /// Moves what does not fit; false when nothing could be moved.
   bool repair();
   [[nodiscard]] bool fits() const;
+  /// The longest runs of edges and corners that fit, where the whole does not.
+  [[nodiscard]] std::vector<HeadlandRun> fitting_runs() const;
 
  private:
   [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % vertices_.size(); }
@@ -61,6 +79,7 @@ class CornerLine {
   bool merge(std::size_t i);
   [[nodiscard]] Path corner_path(std::size_t i) const;
   [[nodiscard]] Path edge_path(std::size_t i) const;
+  [[nodiscard]] std::vector<Path> edge_steps(std::size_t i) const;
   void chamfer(std::size_t i, std::vector<Vertex>& into) const;
   void swing_out(std::size_t i, std::vector<Vertex>& into) const;
 
@@ -165,6 +184,42 @@ Path CornerLine::path() const {
 
 bool CornerLine::fits() const { return selion::fits(ground_.space, ground_.footprint, path()); }
 
+/// Edge i in steps short enough that a run ends close to what it cannot pass.
+std::vector<Path> CornerLine::edge_steps(std::size_t i) const {
+  constexpr double kStep_m = 0.5;
+  std::vector<Path> steps;
+  for (const Stretch& whole : edge_path(i)) {
+    const int count = std::max(1, static_cast<int>(std::ceil(whole.curve.length_m / kStep_m)));
+    const Point along = (whole.curve.length_m / count) * unit(whole.curve.heading_rad);
+    for (int k = 0; k < count; ++k)
+      steps.push_back({{line(whole.curve.start + static_cast<double>(k) * along, whole.curve.start + (k + 1.0) * along), Gear::forward}});
+  }
+  return steps;
+}
+
+std::vector<HeadlandRun> CornerLine::fitting_runs() const {
+  std::vector<Path> steps;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    for (Path& step : edge_steps(i)) steps.push_back(std::move(step));
+    steps.push_back(corner_path(next(i)));
+  }
+  const auto holds = [this](const Path& step) { return selion::fits(ground_.space, ground_.footprint, step); };
+  const auto gap = std::find_if_not(steps.begin(), steps.end(), holds);
+  std::rotate(steps.begin(), gap, steps.end());  // so that no run crosses the seam
+  std::vector<HeadlandRun> runs;
+  Path run;
+  const auto close = [&] {
+    if (length_m(run) >= kLeastRun * ground_.machine.working_width_m) runs.push_back({straightened(run), false});
+    run.clear();
+  };
+  for (const Path& step : steps) {
+    if (holds(step)) append(run, step);
+    else close();
+  }
+  close();
+  return runs;
+}
+
 /// Cuts a left turn off, with room for the two corners that come of it.
 void CornerLine::chamfer(std::size_t i, std::vector<Vertex>& into) const {
   const Vertex& v = vertices_[i];
@@ -211,42 +266,15 @@ bool CornerLine::repair() {
 
 }  // namespace
 
-std::optional<Path> rounded(const Ground& ground, const Ring& ring) {
+std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring) {
   CornerLine corners{ground, ring};
   for (int round = 0; round < kMostRepairs; ++round) {
-    if (!corners.make_room()) return std::nullopt;
+    if (!corners.make_room()) return {};
     corners.make_gentle();
-    if (corners.fits()) return corners.path();
-    if (!corners.repair()) return std::nullopt;
+    if (corners.fits()) return {{corners.path(), true}};
+    if (!corners.repair()) break;
   }
-  return std::nullopt;
-}
-
-std::vector<Path> straight_runs(const Ground& ground, const Ring& ring) {
-  const Ring corners = simplified(ring, kFollow_m);
-  const double least_m = ground.machine.working_width_m;
-  const double tool_x = ground.machine.tool_x_m;
-  std::vector<Path> runs;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point a = corners[i];
-    const Point b = corners[(i + 1) % corners.size()];
-    const double length = distance_m(a, b);
-    if (length < least_m) continue;
-    const double heading = heading_rad(b - a);
-    const int steps = static_cast<int>(std::ceil(length / 0.25));
-    double from = -1;
-    for (int k = 0; k <= steps + 1; ++k) {
-      const double s = length * std::min(k, steps) / steps;
-      const Pose axle{a + (s - tool_x) * unit(heading), heading};
-      const bool inside = k <= steps && fits(ground.space, ground.footprint, axle);
-      if (inside && from < 0) from = s;
-      if (inside || from < 0) continue;
-      const double to = k > steps ? length : length * (k - 1) / steps;
-      if (to - from >= least_m) runs.push_back(swath_path(ground.machine, a + from * unit(heading), a + to * unit(heading)));
-      from = -1;
-    }
-  }
-  return runs;
+  return corners.make_room() ? corners.fitting_runs() : std::vector<HeadlandRun>{};
 }
 
 }  // namespace selion

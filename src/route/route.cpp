@@ -9,6 +9,7 @@
 
 #include "chains.hpp"
 #include "connect.hpp"
+#include "roads.hpp"
 #include "selion/core/format.hpp"
 
 namespace selion {
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double kGateRoom_m = 0.05;      // between the body and the border at the gate
 constexpr std::size_t kRingStarts = 24;   // places tried to begin a headland pass
+constexpr std::size_t kRoadWays = 4;      // ways into a piece of work that the roads are asked for
+constexpr std::size_t kSearchedWays = 2;
+constexpr double kFarRound = 3;           // a way this many turns long is worth a search for a shorter one
 
 /// A piece of work and the ways it may be driven, the preferred one first.
 struct Task {
@@ -30,17 +34,13 @@ class Driver {
       : layout_{layout},
         machine_{machine},
         space_{free_space(block.free, footprint_of(machine))},
-        terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse, layout.mainland, {}} {
-    for (const HeadlandPass& pass : layout.headland_passes) {
-      if (!pass.closed) continue;
-      terrain_.tracks.push_back(track_of(pass.path));
-      if (Path back = turned_round(pass.path); fits(space_, terrain_.footprint, back)) terrain_.tracks.push_back(track_of(back));
-    }
-  }
+        terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse, layout.mainland},
+        roads_{terrain_, tracks()} {}
 
   Result<Route> drive(const Block& block, const RouteOptions& options, const Progress& progress);
 
  private:
+  [[nodiscard]] std::vector<Track> tracks() const;
   [[nodiscard]] std::optional<Pose> at_gate(const Block& block, std::size_t gate, bool inwards) const;
   [[nodiscard]] Path swath_way(const Swath& swath, bool forth) const;
   [[nodiscard]] Task swath_task(const Swath& swath) const;
@@ -53,15 +53,37 @@ class Driver {
   void work_headland(bool inside_out);
   [[nodiscard]] double far_m(const Pose& pose) const;
   [[nodiscard]] PieceKind way_kind(const Path& way) const;
+  [[nodiscard]] Pose before(const Path& work) const;
+  /// Beyond this a way is a transfer.
+  [[nodiscard]] double longest_turn_m() const { return 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m; }
+  struct Approach {
+    const Path* work;
+    Path way;
+    double cost_m;
+  };
+  void consider(std::optional<Approach>& best, const Path& work, std::optional<Path> way) const;
 
   const Layout& layout_;
   const Machine& machine_;
   FreeSpace space_;
   Terrain terrain_;
+  Roads roads_;
   std::optional<Pose> here_;
   std::vector<Task> put_off_;
   Route route_;
 };
+
+/// Every line of the layout, in each direction in which the machine fits on it.
+std::vector<Track> Driver::tracks() const {
+  std::vector<Track> tracks;
+  const auto add = [&](const Path& path, bool closed) {
+    for (const Path& way : {path, turned_round(path)})
+      if (fits(space_, terrain_.footprint, way)) tracks.push_back(track_of(way, closed));
+  };
+  for (const HeadlandPass& pass : layout_.headland_passes) add(pass.path, pass.closed);
+  for (const Swath& pocket : layout_.pockets) add(swath_way(pocket, true), false);
+  return tracks;
+}
 
 Path Driver::swath_way(const Swath& swath, bool forth) const {
   return forth ? swath_path(machine_, swath.from, swath.to) : swath_path(machine_, swath.to, swath.from);
@@ -77,8 +99,7 @@ Task Driver::swath_task(const Swath& swath) const {
 double Driver::far_m(const Pose& pose) const { return here_ ? distance_m(here_->at, pose.at) : 0; }
 
 PieceKind Driver::way_kind(const Path& way) const {
-  const double near_m = 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m;
-  return length_m(way) <= near_m ? PieceKind::turn : PieceKind::transfer;
+  return length_m(way) <= longest_turn_m() ? PieceKind::turn : PieceKind::transfer;
 }
 
 bool Driver::drive_one(const Task& task, const std::optional<Path>& way, const Path& work) {
@@ -90,24 +111,34 @@ bool Driver::drive_one(const Task& task, const std::optional<Path>& way, const P
 }
 
 /// The pose `run_in_m` before the work begins: from there the tool is brought down on a straight line.
-Pose approach(const Path& work, double run_in_m) {
+Pose Driver::before(const Path& work) const {
   const Pose start = start_pose(work);
-  return {start.at - run_in_m * unit(start.heading_rad), start.heading_rad};
+  return {start.at - machine_.run_in_m * unit(start.heading_rad), start.heading_rad};
 }
 
-/// Drives the task by the first of its ways that can be reached.
+/// The cheapest of the task's ways: by one turn each; where that is a long one, by the roads; where these lead far
+/// round or nowhere, by searching.
 bool Driver::drive_to(const Task& task) {
-  for (const bool thorough : {false, true})
-    for (const Path& work : task.ways) {
-      if (!here_) return drive_one(task, std::nullopt, work);
-      const Pose goal = approach(work, machine_.run_in_m);
-      auto way = thorough ? connect(terrain_, *here_, goal) : direct_turn(terrain_, *here_, goal);
-      if (way && !thorough && length_m(*way) > 10 / terrain_.limits.curvature_per_m + 3 * far_m(goal)) way.reset();
-      if (!way) continue;
-      if (machine_.run_in_m > 0) way->push_back({line(goal.at, start_pose(work).at), Gear::forward});
-      return drive_one(task, way, work);
-    }
-  return false;
+  if (task.ways.empty()) return false;
+  if (!here_) return drive_one(task, std::nullopt, task.ways.front());
+  std::optional<Approach> best;
+  const auto each = [&](std::size_t most, const auto& way_to) {
+    for (std::size_t i = 0; i < task.ways.size() && i < most; ++i) consider(best, task.ways[i], way_to(before(task.ways[i])));
+  };
+  each(task.ways.size(), [this](const Pose& goal) { return direct_turn(terrain_, *here_, goal); });
+  if (!best || best->cost_m > longest_turn_m()) each(kRoadWays, [this](const Pose& goal) { return roads_.way(*here_, goal); });
+  const bool close = far_m(before(task.ways.front())) < longest_turn_m();
+  if (!best || (close && best->cost_m > kFarRound * longest_turn_m()))
+    each(kSearchedWays, [this](const Pose& goal) { return searched(terrain_, *here_, goal); });
+  if (!best) return false;
+  if (machine_.run_in_m > 0) best->way.push_back({line(before(*best->work).at, start_pose(*best->work).at), Gear::forward});
+  return drive_one(task, best->way, *best->work);
+}
+
+void Driver::consider(std::optional<Approach>& best, const Path& work, std::optional<Path> way) const {
+  if (!way) return;
+  const double cost = cost_m(terrain_, *way);
+  if (!best || cost < best->cost_m - 1e-6) best = Approach{&work, std::move(*way), cost};
 }
 
 void Driver::work_chain(const Chain& chain, bool from_last, bool forth) {
@@ -173,7 +204,7 @@ std::vector<Path> Driver::ring_ways(const HeadlandPass& pass) const {
   std::vector<Path> rounds{pass.path};
   if (Path back = turned_round(pass.path); fits(space_, terrain_.footprint, back)) rounds.push_back(std::move(back));
   for (const Path& round : rounds) {
-    Track track = track_of(round);
+    Track track = track_of(round, true);
     if (here_)
       std::stable_sort(track.stations.begin(), track.stations.end(), [this](const Track::Station& a, const Track::Station& b) {
         return far_m(a.pose) < far_m(b.pose);
@@ -244,7 +275,7 @@ Result<Route> Driver::drive(const Block& block, const RouteOptions& options, con
   const bool any = std::any_of(route_.pieces.begin(), route_.pieces.end(), [](const RoutePiece& p) { return p.kind == PieceKind::swath; });
   if (!any) return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
   if (out) {
-    const auto way = connect(terrain_, *here_, *out);
+    const auto way = connect(terrain_, roads_, *here_, *out);
     if (way) route_.pieces.push_back({PieceKind::transfer, "", *way});
     else route_.notes.push_back("no way back to gate " + block.gates[*options.gate].name + " was found; the drive ends elsewhere");
   }

@@ -18,7 +18,7 @@ namespace {
 // finds is curvature-continuous, and whose heuristic is the way for a point over a grid, mainland dearer.
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::size_t kMostNodes = 12000;
+constexpr std::size_t kMostNodes = 4000;
 constexpr double kGreed = 1.6;              // weight of the heuristic: within this factor of the best of its moves
 constexpr double kOverMainland = 0.5;
 constexpr double kInReverse = 1.0;
@@ -137,8 +137,8 @@ struct Node {
 
 class Search {
  public:
-  Search(const Terrain& terrain, const Pose& from, const Pose& to, double margin_m)
-      : terrain_{terrain}, to_{to}, guide_{terrain, from, to, margin_m} {
+  Search(const Terrain& terrain, const Pose& from, const Pose& to, Guide guide)
+      : terrain_{terrain}, to_{to}, guide_{std::move(guide)} {
     const double step = std::max(1.0, 0.6 / terrain.limits.curvature_per_m);
     add_moves(Gear::forward, step);
     if (terrain.may_reverse) add_moves(Gear::reverse, step);
@@ -292,8 +292,12 @@ Path shortened(const Terrain& terrain, Path path) {
 }  // namespace
 
 std::optional<Path> searched(const Terrain& terrain, const Pose& from, const Pose& to) {
-  for (const double margin_m : {40.0, 1e5}) {
-    if (auto path = Search{terrain, from, to, margin_m}.run()) return shortened(terrain, shortened(terrain, std::move(*path)));
+  for (const double margin_m : {40.0, std::numeric_limits<double>::infinity()}) {
+    Guide guide{terrain, from, to, margin_m};
+    if (guide.to_goal_m(from.at) == kFar) continue;  // the way leads round about: look wider
+    auto path = Search{terrain, from, to, std::move(guide)}.run();
+    if (!path) return std::nullopt;
+    return shortened(terrain, shortened(terrain, std::move(*path)));
   }
   return std::nullopt;
 }

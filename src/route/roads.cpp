@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "roads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "selion/core/angle.hpp"
+
+namespace selion {
+namespace {
+
+constexpr std::size_t kLinksTried = 8;      // turns tried from a station to other lines
+constexpr std::size_t kJoinsTried = 10;     // stations tried for the first and the last turn
+constexpr std::size_t kMostVisited = 20000;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+long long cell_key(double x, double y) { return (static_cast<long long>(x) << 32) ^ (static_cast<long long>(y) & 0xffffffffLL); }
+
+/// Roughly what a turn from `from` to `to` takes: the chord, and an arc for each change of heading on the way.
+double guess_m(const Pose& from, const Pose& to, double radius_m) {
+  const Point chord = to.at - from.at;
+  const double bearing = length_m(chord) > 0 ? heading_rad(chord) : from.heading_rad;
+  return length_m(chord) + radius_m * (std::abs(wrapped(bearing - from.heading_rad)) + std::abs(wrapped(to.heading_rad - bearing)));
+}
+
+Path joined(Path a, const Path& b, const Path& c) {
+  append(a, b);
+  append(a, c);
+  return a;
+}
+
+}  // namespace
+
+Roads::Roads(const Terrain& terrain, std::vector<Track> tracks)
+    : terrain_{terrain}, tracks_{std::move(tracks)}, reach_m_{5 / terrain.limits.curvature_per_m + 3 * terrain.footprint.half_tool_m} {
+  for (std::size_t t = 0; t < tracks_.size(); ++t)
+    for (std::size_t s = 0; s < tracks_[t].stations.size(); ++s) {
+      const Point at = tracks_[t].stations[s].pose.at;
+      cells_[cell_key(std::floor(at.x_m / reach_m_), std::floor(at.y_m / reach_m_))].push_back(nodes_.size());
+      nodes_.push_back({t, s});
+    }
+}
+
+const Track::Station& Roads::station(std::size_t node) const { return tracks_[nodes_[node].track].stations[nodes_[node].station]; }
+
+std::vector<std::size_t> Roads::near(Point p, double radius_m) const {
+  std::vector<std::size_t> found;
+  const double x = std::floor(p.x_m / reach_m_);
+  const double y = std::floor(p.y_m / reach_m_);
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const auto cell = cells_.find(cell_key(x + dx, y + dy));
+      if (cell == cells_.end()) continue;
+      for (const std::size_t node : cell->second)
+        if (distance_m(station(node).pose.at, p) <= radius_m) found.push_back(node);
+    }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// Those of `nodes` that a turn from `from` probably reaches soonest.
+std::vector<std::size_t> Roads::likely(const Pose& from, const std::vector<std::size_t>& nodes, std::size_t most) const {
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (const std::size_t node : nodes) ranked.emplace_back(guess_m(from, station(node).pose, 1 / terrain_.limits.curvature_per_m), node);
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<std::size_t> best;
+  for (std::size_t i = 0; i < ranked.size() && i < most; ++i) best.push_back(ranked[i].second);
+  return best;
+}
+
+std::optional<Roads::Link> Roads::along(std::size_t node) const {
+  const Track& track = tracks_[nodes_[node].track];
+  const std::size_t here = nodes_[node].station;
+  const bool last = here + 1 == track.stations.size();
+  if (last && !track.closed) return std::nullopt;
+  const std::size_t next = last ? node - here : node + 1;
+  if (next == node) return std::nullopt;
+  Path path = part_of(track.path, track.stations[here].s_m, station(next).s_m);
+  const double cost = cost_m(terrain_, path);
+  return Link{next, std::move(path), cost};
+}
+
+const std::vector<Roads::Link>& Roads::links(std::size_t node) {
+  const auto known = links_.find(node);
+  if (known != links_.end()) return known->second;
+  std::vector<Link> found;
+  if (auto next = along(node)) found.push_back(std::move(*next));
+  const Pose& pose = station(node).pose;
+  std::vector<std::size_t> others = near(pose.at, reach_m_);
+  std::erase_if(others, [&](std::size_t other) { return nodes_[other].track == nodes_[node].track; });
+  for (const std::size_t other : likely(pose, others, kLinksTried)) {
+    auto turn = direct_turn(terrain_, pose, station(other).pose);
+    if (!turn) continue;
+    const double cost = cost_m(terrain_, *turn);
+    found.push_back({other, std::move(*turn), cost});
+  }
+  return links_.emplace(node, std::move(found)).first->second;
+}
+
+/// Straight runs backwards from the pose, the vehicle's heading kept, each as long again as the one before.
+std::vector<Path> Roads::backings(const Pose& pose) const {
+  std::vector<Path> runs;
+  if (!terrain_.may_reverse) return runs;
+  for (double back_m = 1 / terrain_.limits.curvature_per_m; back_m < 40; back_m *= 2) {
+    const Path run{{line(pose.at, pose.at - back_m * unit(pose.heading_rad)), Gear::reverse}};
+    if (!stays_inside(terrain_.space, terrain_.footprint, run)) break;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+void Roads::join_from(Joins& joins, const Pose& pose, const Path& before) const {
+  for (const std::size_t node : likely(pose, near(pose.at, reach_m_), kJoinsTried)) {
+    auto turn = direct_turn(terrain_, pose, station(node).pose);
+    if (!turn) continue;
+    Path path = joined(before, *turn, {});
+    const double cost = cost_m(terrain_, path);
+    const auto [place, fresh] = joins.try_emplace(node, Join{path, cost});
+    if (!fresh && cost < place->second.cost_m) place->second = {std::move(path), cost};
+  }
+}
+
+void Roads::join_to(Joins& joins, const Pose& pose, const Path& after) const {
+  // seen from behind: a turn driven towards the pose is as long as one from the pose turned about
+  const Pose about{pose.at, pose.heading_rad + std::acos(-1.0)};
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (const std::size_t node : near(pose.at, reach_m_)) {
+    const Pose& at = station(node).pose;
+    ranked.emplace_back(guess_m(about, {at.at, at.heading_rad + std::acos(-1.0)}, 1 / terrain_.limits.curvature_per_m), node);
+  }
+  std::sort(ranked.begin(), ranked.end());
+  for (std::size_t i = 0; i < ranked.size() && i < kJoinsTried; ++i) {
+    const std::size_t node = ranked[i].second;
+    auto turn = direct_turn(terrain_, station(node).pose, pose);
+    if (!turn) continue;
+    Path path = joined({}, *turn, after);
+    const double cost = cost_m(terrain_, path);
+    const auto [place, fresh] = joins.try_emplace(node, Join{path, cost});
+    if (!fresh && cost < place->second.cost_m) place->second = {std::move(path), cost};
+  }
+}
+
+std::optional<Path> Roads::way(const Pose& from, const Pose& to) {
+  Joins starts, ends;
+  join_from(starts, from, {});
+  for (const Path& run : backings(from)) join_from(starts, end_pose(run), run);
+  if (starts.empty()) return std::nullopt;
+  join_to(ends, to, {});
+  if (terrain_.may_reverse)
+    for (double ahead_m = 1 / terrain_.limits.curvature_per_m; ahead_m < 40; ahead_m *= 2) {
+      const Pose beyond{to.at + ahead_m * unit(to.heading_rad), to.heading_rad};
+      const Path run{{line(beyond.at, to.at), Gear::reverse}};
+      if (!fits(terrain_.space, terrain_.footprint, run)) break;
+      join_to(ends, beyond, run);
+    }
+  if (ends.empty()) return std::nullopt;
+
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  struct Reached {
+    double cost_m = kFar;
+    std::size_t parent = kNone;
+    const Path* path = nullptr;
+  };
+  std::unordered_map<std::size_t, Reached> reached;
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto reach = [&](std::size_t node, double cost, std::size_t parent, const Path* path) {
+    Reached& r = reached[node];
+    if (cost >= r.cost_m) return;
+    r = {cost, parent, path};
+    open.emplace(cost + distance_m(station(node).pose.at, to.at), node);
+  };
+  for (const auto& [node, join] : starts) reach(node, join.cost_m, kNone, &join.path);
+  double least = kFar;
+  std::size_t best = kNone;
+  for (std::size_t visited = 0; !open.empty() && visited < kMostVisited; ++visited) {
+    const auto [bound, node] = open.top();
+    open.pop();
+    if (bound >= least) break;
+    const double cost = reached[node].cost_m;
+    if (cost + distance_m(station(node).pose.at, to.at) < bound - 1e-9) continue;
+    if (const auto end = ends.find(node); end != ends.end() && cost + end->second.cost_m < least) {
+      least = cost + end->second.cost_m;
+      best = node;
+    }
+    for (const Link& link : links(node)) reach(link.to, cost + link.cost_m, node, &link.path);
+  }
+  if (best == kNone) return std::nullopt;
+  std::vector<const Path*> parts{&ends.at(best).path};
+  for (std::size_t node = best; node != kNone; node = reached[node].parent) parts.push_back(reached[node].path);
+  Path whole;
+  for (auto it = parts.rbegin(); it != parts.rend(); ++it) append(whole, **it);
+  return whole;
+}
+
+}  // namespace selion

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "connect.hpp"
+
+namespace selion {
+
+/// A line that is driven anyway, as a one-way road: the axle's path and the straight places where one can join or leave.
+struct Track {
+  Path path;
+  bool closed = true;
+  double length_m = 0;
+  struct Station {
+    double s_m = 0;
+    Pose pose;
+  };
+  std::vector<Station> stations;   ///< in order of s
+};
+
+Track track_of(const Path& path, bool closed);
+/// The path driven forwards the other way.
+Path turned_round(const Path& path);
+/// The part of a path from `from_m` to `to_m` along it; of a closed one across its seam where to < from or to > its length.
+Path part_of(const Path& path, double from_m, double to_m);
+
+/// Headland passes, pocket pieces and swaths as a road network: stations, joined along their line and by single turns
+/// from line to line. A turn between two lines is worked out when it is first asked for, and kept.
+class Roads {
+ public:
+  Roads(const Terrain& terrain, std::vector<Track> tracks);
+
+  /// Cheapest way found by A* over the stations; both ends are joined by single turns, with a straight run backwards out of
+  /// `from` or into `to` where the machine may reverse. Absent where the network does not join them.
+  std::optional<Path> way(const Pose& from, const Pose& to);
+
+ private:
+  struct Node {
+    std::size_t track = 0;
+    std::size_t station = 0;
+  };
+  struct Link {
+    std::size_t to = 0;
+    Path path;
+    double cost_m = 0;
+  };
+  /// A way between a pose and a station.
+  struct Join {
+    Path path;
+    double cost_m = 0;
+  };
+  using Joins = std::map<std::size_t, Join>;
+
+  [[nodiscard]] const Track::Station& station(std::size_t node) const;
+  [[nodiscard]] std::vector<std::size_t> near(Point p, double radius_m) const;
+  [[nodiscard]] std::vector<std::size_t> likely(const Pose& from, const std::vector<std::size_t>& nodes, std::size_t most) const;
+  const std::vector<Link>& links(std::size_t node);
+  std::optional<Link> along(std::size_t node) const;
+  void join_from(Joins& joins, const Pose& pose, const Path& before) const;
+  void join_to(Joins& joins, const Pose& pose, const Path& after) const;
+  [[nodiscard]] std::vector<Path> backings(const Pose& pose) const;
+
+  const Terrain& terrain_;
+  std::vector<Track> tracks_;
+  std::vector<Node> nodes_;
+  double reach_m_;
+  std::unordered_map<long long, std::vector<std::size_t>> cells_;
+  std::unordered_map<std::size_t, std::vector<Link>> links_;
+};
+
+}  // namespace selion
