@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "clean.hpp"
+#include "selion/core/error.hpp"
+#include "selion/geometry/boolean.hpp"
+#include "text.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kSmallest_m2 = 1;
+
+/// A piece of a field: to be covered, and free of obstacles with their clearance.
+struct Piece {
+  Polygon area;
+  Polygon free;
+};
+
+Polygons local_area(const Obstacle& obstacle, const LocalFrame& frame, const std::string& where) {
+  const std::string name = where + ", obstacle '" + obstacle.name + "'";
+  Polygon area{local_ring(obstacle.area.shell, frame, name), {}};
+  for (const LonLatRing& hole : obstacle.area.holes) area.holes.push_back(local_ring(hole, frame, name));
+  return unite({area});
+}
+
+void append(Polygons& to, const Polygons& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+/// What no machine may touch.
+struct Kept {
+  Polygons off;     ///< not to be covered
+  Polygons grown;   ///< off, with its clearance
+};
+
+Kept kept_clear(const Field& field, const LocalFrame& frame, const Polygons& holes, const BlockOptions& options) {
+  Polygons plain = holes;
+  Polygons water;
+  Kept kept;
+  for (const Obstacle& obstacle : field.obstacles) {
+    const Polygons area = local_area(obstacle, frame, field.source);
+    append(obstacle.kind == ObstacleKind::water ? water : plain, area);
+    append(kept.off, area);
+  }
+  kept.grown = outset_round(plain, options.obstacle_clearance_m);
+  append(kept.grown, outset_round(water, options.water_margin_m));
+  return kept;
+}
+
+/// The pieces of `areas` worth planning, tidied.
+Polygons worthwhile(const Polygons& areas) {
+  Polygons kept;
+  for (const Polygon& area : areas)
+    if (Polygon tidy = tidied(area); !tidy.shell.empty() && !is_sliver({tidy}) && (kept.empty() || area_m2(tidy) >= kSmallest_m2))
+      kept.push_back(std::move(tidy));
+  return kept;
+}
+
+/// Shares `area` out to the pieces of its free space: each takes what lies within `reach_m` of it, the earlier first, then
+/// whatever is left beside it.
+std::vector<Piece> shared_out(const Polygon& area, const Polygons& free, double reach_m) {
+  std::vector<Piece> pieces;
+  Polygons rest{area};
+  for (const Polygon& piece : free) {
+    const Polygons around = outset_round({piece}, reach_m);
+    const Polygons own = intersect(rest, around);
+    if (own.empty()) continue;
+    pieces.push_back({own.front(), piece});
+    rest = subtract(rest, {own.front()});
+  }
+  for (const Polygon& left : rest) {
+    for (Piece& piece : pieces) {
+      Polygons joined = unite({piece.area, left});
+      if (joined.size() != 1) continue;
+      piece.area = std::move(joined.front());
+      break;
+    }
+  }
+  for (Piece& piece : pieces) piece.area = tidied(piece.area);
+  std::erase_if(pieces, [](const Piece& piece) { return piece.area.shell.empty(); });
+  return pieces;
+}
+
+std::string hectares(double m2) { return fixed(m2 / 1e4, 4) + " ha"; }
+
+}  // namespace
+
+Blocks blocks_of(const Field& field, const LocalFrame& frame, const BlockOptions& options) {
+  const Cleaned clean = cleaned(field, frame, options.repair);
+  const Kept kept = kept_clear(field, frame, clean.holes, options);
+  Blocks result;
+  result.notes = clean.notes;
+  const double reach_m = std::max(options.obstacle_clearance_m, options.water_margin_m) * 1.5 + 0.01;  // around corners too
+  std::vector<Piece> pieces;
+  for (const Polygon& area : worthwhile(subtract(clean.parts, kept.off))) {
+    const std::string at = " near " + place(frame.to_lonlat(area.shell.front()));
+    const Polygons free = worthwhile(subtract({area}, kept.grown));
+    if (free.empty()) {
+      result.notes.push_back(field.source + ": a part of " + hectares(area_m2(area)) + at + " is left out: obstacles and their clearance fill it");
+    } else if (free.size() == 1) {
+      pieces.push_back({area, free.front()});
+    } else {
+      for (Piece& piece : shared_out(area, free, reach_m)) pieces.push_back(std::move(piece));
+      result.notes.push_back(field.source + ": obstacles with their clearance cut a part of " + hectares(area_m2(area)) + at + " into " +
+                             std::to_string(free.size()) + " blocks");
+    }
+  }
+  if (pieces.empty()) throw InputError{field.source + " has no area left beside its obstacles and their clearance; correct the obstacles, or lower the clearance"};
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return area_m2(a.area) > area_m2(b.area); });
+  for (Piece& piece : pieces) {
+    Block block;
+    block.number = static_cast<int>(result.blocks.size()) + 1;
+    for (const Polygon& obstacle : kept.off)
+      if (!intersect(outset_round({obstacle}, reach_m), {piece.area}).empty()) block.obstacles.push_back(tidied(obstacle));
+    std::erase_if(block.obstacles, [](const Polygon& obstacle) { return obstacle.shell.empty(); });
+    block.area = std::move(piece.area);
+    block.free = std::move(piece.free);
+    result.blocks.push_back(std::move(block));
+  }
+  attach_gates(field, frame, result);
+  return result;
+}
+
+}  // namespace selion

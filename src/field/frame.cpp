@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/field/frame.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <proj.h>
+#include <proj_experimental.h>
+
+#include "selion/core/error.hpp"
+#include "selion/core/units.hpp"
+#include "proj_handles.hpp"
+#include "text.hpp"
+
+namespace selion {
+
+struct LocalFrame::Projection {
+  ProjContext context = make_proj_context();
+  ProjObject from_wgs84;
+};
+
+namespace {
+
+constexpr const char* kWgs84 = "+proj=longlat +datum=WGS84 +no_defs +type=crs";
+
+ProjObject transformation(const ProjContext& context, const std::string& plane) {
+  const ProjObject raw{proj_create_crs_to_crs(context.get(), kWgs84, (plane + " +type=crs").c_str(), nullptr)};
+  if (!raw) return nullptr;
+  return ProjObject{proj_normalize_for_visualization(context.get(), raw.get())};
+}
+
+/// The value behind " +key=", moved by `by`; added where the string has none.
+std::string moved(std::string proj, const std::string& key, double by) {
+  const std::string mark = " +" + key + "=";
+  const auto at = proj.find(mark);
+  if (at == std::string::npos) return proj + mark + shortest(by);
+  const auto from = at + mark.size();
+  const auto to = std::min(proj.find(' ', from), proj.size());
+  double value = 0;
+  std::from_chars(proj.data() + from, proj.data() + to, value);
+  return proj.replace(from, to - from, shortest(value + by));
+}
+
+bool in_metres(const ProjContext& context, const PJ* crs) {
+  const ProjObject axes{proj_crs_get_coordinate_system(context.get(), crs)};
+  double metres = 0;
+  return axes && proj_cs_get_axis_info(context.get(), axes.get(), 0, nullptr, nullptr, nullptr, &metres, nullptr, nullptr,
+                                       nullptr) != 0 &&
+         metres == 1;
+}
+
+/// @throws InputError unless the code is a projected CRS in metres whose datum PROJ ties to WGS84 without a grid.
+std::string proj_string_of(const ProjContext& context, const std::string& code) {
+  const ProjObject crs{proj_create(context.get(), code.c_str())};
+  const std::string where = "frame CRS '" + code + "'";
+  if (!crs) throw InputError{where + " is not known to PROJ; give a code such as EPSG:2154, or auto"};
+  if (proj_get_type(crs.get()) != PJ_TYPE_PROJECTED_CRS || !in_metres(context, crs.get()))
+    throw InputError{where + " (" + proj_get_name(crs.get()) + ") is not a projected CRS in metres; give another, or auto"};
+  const ProjObject bound{proj_crs_create_bound_crs_to_WGS84(context.get(), crs.get(), nullptr)};
+  const char* text = proj_as_proj_string(context.get(), bound ? bound.get() : crs.get(), PJ_PROJ_4, nullptr);
+  if (text == nullptr) throw InputError{where + " cannot be written as a PROJ string; give another, or auto"};
+  std::string proj = text;
+  if (proj.find("grids=") != std::string::npos)
+    throw InputError{where + " needs a datum grid, which a plan cannot carry; give another, or auto"};
+  if (const auto type = proj.find(" +type=crs"); type != std::string::npos) proj.erase(type);
+  return proj;
+}
+
+}  // namespace
+
+LocalFrame::LocalFrame(std::string proj, LonLat origin) : proj_{std::move(proj)}, origin_{origin} {
+  auto made = std::make_shared<Projection>();
+  made->from_wgs84 = transformation(made->context, proj_);
+  if (!made->from_wgs84) throw InputError{"PROJ makes no projection of '" + proj_ + "'; use the frame auto"};
+  projection_ = std::move(made);
+}
+
+LocalFrame LocalFrame::centred(LonLat origin) {
+  return {"+proj=tmerc +lat_0=" + shortest(origin.lat_deg) + " +lon_0=" + shortest(origin.lon_deg) +
+              " +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs",
+          origin};
+}
+
+LocalFrame LocalFrame::of_crs(const std::string& code, LonLat origin) {
+  const ProjContext context = make_proj_context();
+  const std::string proj = proj_string_of(context, code);
+  const Point at = LocalFrame{proj, origin}.to_local(origin);
+  if (!std::isfinite(at.x_m) || !std::isfinite(at.y_m))
+    throw InputError{"frame CRS '" + code + "' does not reach " + place(origin) + "; give another, or auto"};
+  return {moved(moved(proj, "x_0", -at.x_m), "y_0", -at.y_m), origin};
+}
+
+Point LocalFrame::to_local(LonLat p) const {
+  const PJ_COORD out = proj_trans(projection_->from_wgs84.get(), PJ_FWD, proj_coord(p.lon_deg, p.lat_deg, 0, HUGE_VAL));
+  return {out.xy.x, out.xy.y};
+}
+
+LonLat LocalFrame::to_lonlat(Point p) const {
+  const PJ_COORD out = proj_trans(projection_->from_wgs84.get(), PJ_INV, proj_coord(p.x_m, p.y_m, 0, HUGE_VAL));
+  return {out.xy.x, out.xy.y};
+}
+
+double LocalFrame::convergence_deg(Point p) const {
+  constexpr double kStep_m = 50;  // long against rounding, short against the change of convergence
+  const LonLat south = to_lonlat(p - Point{0, kStep_m});
+  const LonLat north = to_lonlat(p + Point{0, kStep_m});
+  const double middle_rad = radians_of_degrees((south.lat_deg + north.lat_deg) / 2);
+  constexpr double kFlatteningSquared = 0.00669437999014;  // e2 of WGS84
+  const double w2 = 1 - kFlatteningSquared * std::sin(middle_rad) * std::sin(middle_rad);
+  const double east = std::remainder(north.lon_deg - south.lon_deg, 360) * std::cos(middle_rad);
+  const double up = (north.lat_deg - south.lat_deg) * (1 - kFlatteningSquared) / w2;  // radii M : N = (1 - e2) : w2
+  return degrees_of_radians(std::atan2(east, up));
+}
+
+LocalFrame LocalFrame::cloned() const { return {proj_, origin_}; }
+
+LonLat centre(const Field& field) {
+  double reference = 0;
+  bool first = true;
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  LonLat low{inf, inf};
+  LonLat high{-inf, -inf};
+  for (const LonLatPolygon& part : field.parts) {
+    for (const LonLat p : part.shell) {
+      if (std::exchange(first, false)) reference = p.lon_deg;
+      const double lon = reference + std::remainder(p.lon_deg - reference, 360);
+      low = {std::min(low.lon_deg, lon), std::min(low.lat_deg, p.lat_deg)};
+      high = {std::max(high.lon_deg, lon), std::max(high.lat_deg, p.lat_deg)};
+    }
+  }
+  if (first) throw InputError{field.source + " has no boundary"};
+  const auto rounded = [](double degrees) { return std::round(degrees * 1e9) / 1e9; };  // as a plan file writes it
+  return {rounded(std::remainder((low.lon_deg + high.lon_deg) / 2, 360)), rounded((low.lat_deg + high.lat_deg) / 2)};
+}
+
+}  // namespace selion

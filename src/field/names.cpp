@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+
+#include "selion/core/error.hpp"
+#include "text.hpp"
+
+namespace selion {
+namespace {
+
+std::optional<Role> role_named(const std::string& word) {
+  std::string name = lower(word);
+  std::replace_if(name.begin(), name.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+  if (name == "obstacle" || name == "obstacles") return Role::obstacle;
+  if (name == "gate" || name == "gates") return Role::gate;
+  if (name == "no_go" || name == "nogo") return Role::no_go;
+  if (name == "water") return Role::water;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Role> role_of_layer(const std::string& name) { return role_named(name); }
+
+std::optional<Role> role_of_feature(const RawFeature& feature, const std::string& where) {
+  const auto found = feature.attributes.find("selion");
+  if (found == feature.attributes.end()) return std::nullopt;
+  if (lower(found->second) == "field") return Role::field;
+  const auto role = role_named(found->second);
+  if (!role)
+    throw InputError{where + ": its property selion is '" + found->second.substr(0, 40) +
+                     "', but must be field, obstacle, gate, no_go or water"};
+  return role;
+}
+
+std::optional<std::string> name_of(const RawFeature& feature) {
+  constexpr std::array<const char*, 9> kKeys{"name", "field", "field_name", "fieldname", "title", "label", "id", "uid", "fid"};
+  for (const char* key : kKeys)
+    for (const std::string& attribute : feature.attribute_order)
+      if (lower(attribute) == key && !feature.attributes.at(attribute).empty()) return feature.attributes.at(attribute);
+  return std::nullopt;
+}
+
+std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features, const std::string& stem) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const RawFeature* feature : features) {
+    const auto own = name_of(*feature);
+    std::string name = own ? *own : features.size() == 1 ? stem : stem + " " + std::to_string(feature->number);
+    const std::string base = name;
+    for (int again = 2; !taken.insert(name).second; ++again) name = base + " (" + std::to_string(again) + ")";
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::size_t selected(const std::vector<const RawFeature*>& features, const std::vector<std::string>& names,
+                     const std::string& wanted, const std::string& label) {
+  if (const auto named = std::find(names.begin(), names.end(), wanted); named != names.end())
+    return static_cast<std::size_t>(named - names.begin());
+  int number = 0;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+  if (error == std::errc{} && end == wanted.data() + wanted.size())
+    for (std::size_t i = 0; i < features.size(); ++i)
+      if (features[i]->number == number) return i;
+  throw InputError{label + " has no field '" + wanted + "' among " + std::to_string(features.size()) +
+                   "; give a number or a name such as " + nearest_names(names, wanted)};
+}
+
+}  // namespace selion

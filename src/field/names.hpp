@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "raw.hpp"
+
+namespace selion {
+
+/// What a feature or a whole layer holds.
+enum class Role { field, obstacle, no_go, water, gate };
+
+/// Of a layer called so: obstacle(s), gate(s), no_go, no-go, water.
+std::optional<Role> role_of_layer(const std::string& name);
+/// From the property `selion`. @throws InputError for a value that is none.
+std::optional<Role> role_of_feature(const RawFeature& feature, const std::string& where);
+
+/// From an attribute name, field, field_name, title, label, id ..., in this order and in any case.
+std::optional<std::string> name_of(const RawFeature& feature);
+/// A name for each: its own, else `stem` (with the feature's number where there are several); namesakes get a number.
+std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features, const std::string& stem);
+
+/// The one that `wanted` names, by its name or else by its number in the file.
+/// @throws InputError listing the nearest names.
+std::size_t selected(const std::vector<const RawFeature*>& features, const std::vector<std::string>& names,
+                     const std::string& wanted, const std::string& label);
+
+}  // namespace selion
