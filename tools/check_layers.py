@@ -30,7 +30,7 @@ THIRD_PARTY = {
     r"nlopt\.h": {"motion", "layout"},
     r"gdal|ogr|cpl_": {"field", "verify"},
     r"proj\.h$": {"field", "planfile", "verify"},
-    r"nlohmann/": {"planfile"},
+    r"nlohmann/": {"field", "planfile"},
     r"opencv2/": {"sim"},
     r"toml\+\+/": {"plan"},
     r"cairo|pango|pugixml\.hpp$": {"output"},

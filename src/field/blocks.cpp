@@ -4,6 +4,7 @@
 
 #include "clean.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "selion/geometry/boolean.hpp"
 #include "text.hpp"
 
@@ -29,11 +30,12 @@ void append(Polygons& to, const Polygons& more) { to.insert(to.end(), more.begin
 
 /// What no machine may touch.
 struct Kept {
-  Polygons off;     ///< not to be covered
-  Polygons grown;   ///< off, with its clearance
+  Polygons off;    ///< not to be covered
+  Polygons grown;  ///< off, with its clearance
 };
 
-Kept kept_clear(const Field& field, const LocalFrame& frame, const Polygons& holes, const BlockOptions& options) {
+Kept kept_clear(const Field& field, const LocalFrame& frame, const Polygons& holes,
+                const BlockOptions& options) {
   Polygons plain = holes;
   Polygons water;
   Kept kept;
@@ -51,13 +53,14 @@ Kept kept_clear(const Field& field, const LocalFrame& frame, const Polygons& hol
 Polygons worthwhile(const Polygons& areas) {
   Polygons kept;
   for (const Polygon& area : areas)
-    if (Polygon tidy = tidied(area); !tidy.shell.empty() && !is_sliver({tidy}) && (kept.empty() || area_m2(tidy) >= kSmallest_m2))
+    if (Polygon tidy = tidied(area);
+        !tidy.shell.empty() && !is_sliver({tidy}) && (kept.empty() || area_m2(tidy) >= kSmallest_m2))
       kept.push_back(std::move(tidy));
   return kept;
 }
 
-/// Shares `area` out to the pieces of its free space: each takes what lies within `reach_m` of it, the earlier first, then
-/// whatever is left beside it.
+/// Shares `area` out to the pieces of its free space: each takes what lies within `reach_m` of it, the
+/// earlier first, then whatever is left beside it.
 std::vector<Piece> shared_out(const Polygon& area, const Polygons& free, double reach_m) {
   std::vector<Piece> pieces;
   Polygons rest{area};
@@ -90,28 +93,36 @@ Blocks blocks_of(const Field& field, const LocalFrame& frame, const BlockOptions
   const Kept kept = kept_clear(field, frame, clean.holes, options);
   Blocks result;
   result.notes = clean.notes;
-  const double reach_m = std::max(options.obstacle_clearance_m, options.water_margin_m) * 1.5 + 0.01;  // around corners too
+  const double reach_m =
+      std::max(options.obstacle_clearance_m, options.water_margin_m) * 1.5 + 0.01;  // around corners too
   std::vector<Piece> pieces;
   for (const Polygon& area : worthwhile(subtract(clean.parts, kept.off))) {
     const std::string at = " near " + place(frame.to_lonlat(area.shell.front()));
     const Polygons free = worthwhile(subtract({area}, kept.grown));
     if (free.empty()) {
-      result.notes.push_back(field.source + ": a part of " + hectares(area_m2(area)) + at + " is left out: obstacles and their clearance fill it");
+      result.notes.push_back(field.source + ": a part of " + hectares(area_m2(area)) + at +
+                             " is left out: obstacles and their clearance fill it");
     } else if (free.size() == 1) {
       pieces.push_back({area, free.front()});
     } else {
       for (Piece& piece : shared_out(area, free, reach_m)) pieces.push_back(std::move(piece));
-      result.notes.push_back(field.source + ": obstacles with their clearance cut a part of " + hectares(area_m2(area)) + at + " into " +
-                             std::to_string(free.size()) + " blocks");
+      result.notes.push_back(field.source + ": obstacles with their clearance cut a part of " +
+                             hectares(area_m2(area)) + at + " into " + std::to_string(free.size()) +
+                             " blocks");
     }
   }
-  if (pieces.empty()) throw InputError{field.source + " has no area left beside its obstacles and their clearance; correct the obstacles, or lower the clearance"};
-  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return area_m2(a.area) > area_m2(b.area); });
+  if (pieces.empty())
+    throw InputError{field.source +
+                     " has no area left beside its obstacles and their clearance; correct the obstacles, or "
+                     "lower the clearance"};
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return area_m2(a.area) > area_m2(b.area); });
   for (Piece& piece : pieces) {
     Block block;
     block.number = static_cast<int>(result.blocks.size()) + 1;
     for (const Polygon& obstacle : kept.off)
-      if (!intersect(outset_round({obstacle}, reach_m), {piece.area}).empty()) block.obstacles.push_back(tidied(obstacle));
+      if (!intersect(outset_round({obstacle}, reach_m), {piece.area}).empty())
+        block.obstacles.push_back(tidied(obstacle));
     std::erase_if(block.obstacles, [](const Polygon& obstacle) { return obstacle.shell.empty(); });
     block.area = std::move(piece.area);
     block.free = std::move(piece.free);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The main file of a shapefile, record by record (ESRI Shapefile Technical Description, 1998): GDAL reads on past much
-// of what is broken here.
+// The main file of a shapefile, record by record (ESRI Shapefile Technical Description, 1998): GDAL reads on
+// past much of what is broken here.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -52,7 +52,8 @@ void check_parts(const Bytes& bytes, std::size_t at, std::size_t length, const s
   const std::size_t first = at + kBox + 8 + 4 * static_cast<std::size_t>(parts);
   for (std::size_t i = 0; i < points; ++i) {
     if (!std::isfinite(bytes.number(first + 16 * i)) || !std::isfinite(bytes.number(first + 16 * i + 8)))
-      throw InputError{where + ", coordinate " + std::to_string(i + 1) + " is not a finite number; correct or delete it"};
+      throw InputError{where + ", coordinate " + std::to_string(i + 1) +
+                       " is not a finite number; correct or delete it"};
   }
 }
 
@@ -61,22 +62,25 @@ void check_parts(const Bytes& bytes, std::size_t at, std::size_t length, const s
 void check_shapefile(const std::string& all, const std::string& label) {
   const Bytes bytes{all};
   constexpr std::uint32_t kFileCode = 9994;
-  if (bytes.size() < kHeader || bytes.big(0) != kFileCode) throw InputError{label + " is no shapefile, or cut off; export it anew"};
+  if (bytes.size() < kHeader || bytes.big(0) != kFileCode)
+    throw InputError{label + " is no shapefile, or cut off; export it anew"};
   const std::uint64_t claimed = std::uint64_t{bytes.big(24)} * 2;
   std::size_t at = kHeader;
   for (int number = 1; at < bytes.size() && at < claimed; ++number) {
     const std::string where = label + ", feature " + std::to_string(number);
-    if (at + kRecordHeader > bytes.size()) throw InputError{where + " is cut off by the end of the file; export the shapefile anew"};
+    if (at + kRecordHeader > bytes.size())
+      throw InputError{where + " is cut off by the end of the file; export the shapefile anew"};
     const std::uint64_t length = std::uint64_t{bytes.big(at + 4)} * 2;
     at += kRecordHeader;
     if (length < 4 || length > bytes.size() - at)
-      throw InputError{where + " is " + std::to_string(length) + " bytes long, past the end of the file; it is truncated: copy or export it anew"};
+      throw InputError{where + " is " + std::to_string(length) +
+                       " bytes long, past the end of the file; it is truncated: copy or export it anew"};
     if (has_parts(bytes.little(at))) check_parts(bytes, at, static_cast<std::size_t>(length), where);
     at += static_cast<std::size_t>(length);
   }
   if (claimed > bytes.size())
-    throw InputError{label + " is truncated: " + std::to_string(bytes.size()) + " of " + std::to_string(claimed) +
-                     " bytes are there; copy or export it anew"};
+    throw InputError{label + " is truncated: " + std::to_string(bytes.size()) + " of " +
+                     std::to_string(claimed) + " bytes are there; copy or export it anew"};
 }
 
 }  // namespace selion

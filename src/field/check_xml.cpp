@@ -18,10 +18,14 @@ std::string root_name(std::string_view text) {
     if (open == std::string_view::npos) return {};
     text.remove_prefix(open + 1);
     std::string_view close;
-    if (text.starts_with("!--")) close = "-->";
-    else if (text.starts_with("?")) close = "?>";
-    else if (text.starts_with("!")) close = ">";
-    else break;
+    if (text.starts_with("!--"))
+      close = "-->";
+    else if (text.starts_with("?"))
+      close = "?>";
+    else if (text.starts_with("!"))
+      close = ">";
+    else
+      break;
     const auto end = text.find(close);
     if (end == std::string_view::npos) return {};
     text.remove_prefix(end + close.size());
@@ -65,8 +69,10 @@ Joined joined_at_commas(std::string_view text) {
     if (blank == std::string_view::npos) break;
     text.remove_prefix(std::min(text.find_first_not_of(kBlanks, blank), text.size()));
     const bool at_comma = (!joined.text.empty() && joined.text.back() == ',') || text.starts_with(',');
-    if (at_comma) joined.had_blanks = true;
-    else joined.text += ' ';
+    if (at_comma)
+      joined.had_blanks = true;
+    else
+      joined.text += ' ';
   }
   return joined;
 }
@@ -85,8 +91,9 @@ struct KmlCheck {
       rest.remove_prefix(from);
       const std::string_view tuple = rest.substr(0, rest.find(' '));
       if (!is_tuple(tuple))
-        throw InputError{label + ", coordinates element " + std::to_string(element) + ", coordinate " + std::to_string(number) + ": '" +
-                         std::string{tuple.substr(0, 60)} + "' is no longitude,latitude; correct it"};
+        throw InputError{label + ", coordinates element " + std::to_string(element) + ", coordinate " +
+                         std::to_string(number) + ": '" + std::string{tuple.substr(0, 60)} +
+                         "' is no longitude,latitude; correct it"};
       rest.remove_prefix(tuple.size());
     }
   }
@@ -101,7 +108,8 @@ std::vector<std::string> check_kml(std::string_view text, const std::string& lab
     if (from == std::string_view::npos) break;
     text.remove_prefix(from + kOpen.size());
     const auto to = text.find(kClose);
-    if (to == std::string_view::npos) throw InputError{label + " ends inside a coordinates element: it is truncated; export it anew"};
+    if (to == std::string_view::npos)
+      throw InputError{label + " ends inside a coordinates element: it is truncated; export it anew"};
     check.coordinates(text.substr(0, to), element);
     text.remove_prefix(to);
   }
@@ -115,11 +123,14 @@ std::vector<std::string> check_xml(const std::string& text, const std::string& l
   std::string ascii = text;
   std::erase(ascii, '\0');  // UTF-16 would hide the words looked for
   if (ascii.find("<!ENTITY") != std::string::npos)
-    throw InputError{label + " declares XML entities, which field files do not need and which can fill the memory; save it without them"};
+    throw InputError{label +
+                     " declares XML entities, which field files do not need and which can fill the memory; "
+                     "save it without them"};
   const std::string root = root_name(ascii);
   if (root.empty()) throw InputError{label + " is no complete XML file; export it anew"};
   if (root == "ISO11783_TaskData" || root == "XFC")
-    throw InputError{label + " is ISOXML, which is not supported yet; export the field as GeoJSON, KML or shapefile"};
+    throw InputError{label +
+                     " is ISOXML, which is not supported yet; export the field as GeoJSON, KML or shapefile"};
   if (lower(root) == "kml") return check_kml(ascii, label);
   return {};
 }

@@ -6,28 +6,40 @@
 
 #include "loops.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "text.hpp"
 
 namespace selion {
 namespace {
 
-constexpr double kWidest_m = 0.01;    // a repair may move a border by this
-constexpr double kShare = 1e-3;       // and change the area by this share
+constexpr double kWidest_m = 0.01;  // a repair may move a border by this
+constexpr double kShare = 1e-3;     // and change the area by this share
 constexpr double kNothing_m2 = 1e-6;
 
 std::string square_metres(double m2) { return fixed(m2, m2 < 10 ? 2 : 0) + " m2"; }
 
+/// United until nothing more joins: one sweep can leave two areas apart that share an edge.
+Polygons joined(const Polygons& areas) {
+  Polygons result = unite(areas);
+  for (std::size_t before = areas.size() + 1; result.size() < before;) {
+    before = result.size();
+    result = unite(result);
+  }
+  return result;
+}
+
 /// One ring, cut into loops by the side that the ring as a whole has on its left or right.
 struct RingLoops {
-  std::string name;                 ///< ", part 1, ring 2"
-  double claimed_m2 = 0;            ///< as OGC counts a valid ring: signed
-  std::vector<Loop> forward;        ///< turning as the ring does
+  std::string name;           ///< ", part 1, ring 2"
+  double claimed_m2 = 0;      ///< as OGC counts a valid ring: signed
+  std::vector<Loop> forward;  ///< turning as the ring does
   std::vector<Loop> backward;
 };
 
 class Cleaner {
  public:
-  Cleaner(const Field& field, const LocalFrame& frame, Repair repair) : field_{field}, frame_{frame}, repair_{repair} {}
+  Cleaner(const Field& field, const LocalFrame& frame, Repair repair)
+      : field_{field}, frame_{frame}, repair_{repair} {}
 
   Cleaned clean() {
     const std::vector<Ring> rings = local_rings();
@@ -46,7 +58,7 @@ class Cleaner {
     check_overlapping_parts();
     Polygons all;
     for (const Polygons& area : part_areas_) all.insert(all.end(), area.begin(), area.end());
-    result_.parts = unite(all);
+    result_.parts = joined(all);
     check_area(claimed_m2);
     note_changed_parts();
     drop_small_parts();
@@ -55,14 +67,16 @@ class Cleaner {
 
  private:
   [[nodiscard]] std::string ring_name(std::size_t part, std::size_t ring) const {
-    return (field_.parts.size() > 1 ? ", part " + std::to_string(part + 1) : "") + ", ring " + std::to_string(ring + 1);
+    return (field_.parts.size() > 1 ? ", part " + std::to_string(part + 1) : "") + ", ring " +
+           std::to_string(ring + 1);
   }
   [[nodiscard]] std::string near(Point p) const { return " near " + place(frame_.to_lonlat(p)); }
   void note(const std::string& text) { result_.notes.push_back(field_.source + text); }
 
   /// An error, or with --repair a note.
   void refuse(const std::string& what, const std::string& advice, const std::string& repaired) {
-    if (repair_ == Repair::notes_only) throw InputError{field_.source + what + "; " + advice + ", or accept with --repair that " + repaired};
+    if (repair_ == Repair::notes_only)
+      throw InputError{field_.source + what + "; " + advice + ", or accept with --repair that " + repaired};
     note(what + "; repaired: " + repaired);
   }
 
@@ -71,23 +85,30 @@ class Cleaner {
     for (std::size_t part = 0; part < field_.parts.size(); ++part) {
       rings.push_back(local_ring(field_.parts[part].shell, frame_, field_.source + ring_name(part, 0)));
       for (std::size_t hole = 0; hole < field_.parts[part].holes.size(); ++hole)
-        rings.push_back(local_ring(field_.parts[part].holes[hole], frame_, field_.source + ring_name(part, hole + 1)));
+        rings.push_back(
+            local_ring(field_.parts[part].holes[hole], frame_, field_.source + ring_name(part, hole + 1)));
     }
-    if (const int dropped = snap(rings); dropped > 0) note(": " + std::to_string(dropped) + " corners closer than 1 mm to another are dropped");
+    if (const int dropped = snap(rings); dropped > 0)
+      note(": " + std::to_string(dropped) + " corners closer than 1 mm to another are dropped");
     return rings;
   }
 
   RingLoops ring_loops(Ring ring, const std::string& name) {
-    for (const Spike& spike : drop_spikes(ring)) note_spike(spike.foot, distance_m(spike.foot, spike.tip), name);
+    for (const Spike& spike : drop_spikes(ring))
+      note_spike(spike.foot, distance_m(spike.foot, spike.tip), name);
     std::vector<Loop> loops = loops_of(ring);
     const auto size = [](const Loop& loop) { return std::abs(signed_area_m2(loop.ring)); };
-    const auto largest = std::max_element(loops.begin(), loops.end(), [&](const Loop& a, const Loop& b) { return size(a) < size(b); });
+    const auto largest = std::max_element(loops.begin(), loops.end(),
+                                          [&](const Loop& a, const Loop& b) { return size(a) < size(b); });
     RingLoops result{name, std::abs(signed_area_m2(ring)), {}, {}};
     if (largest == loops.end()) return result;
     const bool anticlockwise = signed_area_m2(largest->ring) > 0;
     for (Loop& loop : loops) {
-      if (loops.size() > 1 && is_sliver({{loop.ring, {}}})) note_dropped(loop, name);
-      else ((signed_area_m2(loop.ring) > 0) == anticlockwise ? result.forward : result.backward).push_back(std::move(loop));
+      if (loops.size() > 1 && is_sliver({{loop.ring, {}}}))
+        note_dropped(loop, name);
+      else
+        ((signed_area_m2(loop.ring) > 0) == anticlockwise ? result.forward : result.backward)
+            .push_back(std::move(loop));
     }
     return result;
   }
@@ -99,7 +120,9 @@ class Cleaner {
   }
 
   void note_spike(Point foot, double reach_m, const std::string& name) {
-    if (reach_m > kWidest_m) note(name + ": a spike less than 1 cm wide and " + fixed(reach_m, 2) + " m long is dropped" + near(foot));
+    if (reach_m > kWidest_m)
+      note(name + ": a spike less than 1 cm wide and " + fixed(reach_m, 2) + " m long is dropped" +
+           near(foot));
   }
 
   static Polygons areas_of(const std::vector<Loop>& loops) {
@@ -108,7 +131,8 @@ class Cleaner {
     return areas;
   }
 
-  /// What the ring encloses. Backward loops inside it are holes reached by a bridge; outside it they are a crossing.
+  /// What the ring encloses. Backward loops inside it are holes reached by a bridge; outside it they are a
+  /// crossing.
   Polygons shell_area(const RingLoops& shell) {
     const Polygons forward = areas_of(shell.forward);
     Polygons filled = unite(forward);
@@ -130,12 +154,14 @@ class Cleaner {
       filled.insert(filled.end(), outside.begin(), outside.end());
     }
     filled = unite(filled);
-    if (filled.size() > 1 && shell.forward.size() > 1) note(shell.name + " touches itself" + near(shell.forward.front().pinch) + ", and is cut there");
+    if (filled.size() > 1 && shell.forward.size() > 1)
+      note(shell.name + " touches itself" + near(shell.forward.front().pinch) + ", and is cut there");
     return filled;
   }
 
   void refuse_crossing(const std::string& ring, Point at) {
-    refuse(ring + " crosses itself" + near(at), "correct the boundary there", "everything that it encloses is field");
+    refuse(ring + " crosses itself" + near(at), "correct the boundary there",
+           "everything that it encloses is field");
   }
 
   Polygons part_area(const RingLoops& shell, const std::vector<RingLoops>& holes) {
@@ -151,10 +177,12 @@ class Cleaner {
       const Polygons outside = subtract(area, filled);
       const bool inside = is_sliver(outside);
       if (!inside)
-        refuse(hole.name + " is a hole, but " + square_metres(area_m2(outside)) + " of it lie outside its part" + near(outside.front().shell.front()),
+        refuse(hole.name + " is a hole, but " + square_metres(area_m2(outside)) +
+                   " of it lie outside its part" + near(outside.front().shell.front()),
                "correct the hole", "only what lies inside is taken off");
       if (const Polygons twice = intersect(area, off); !is_sliver(twice))
-        refuse(hole.name + " is a hole, and shares " + square_metres(area_m2(twice)) + " with another hole" + near(twice.front().shell.front()),
+        refuse(hole.name + " is a hole, and shares " + square_metres(area_m2(twice)) + " with another hole" +
+                   near(twice.front().shell.front()),
                "correct the holes", "both are taken off");
       if (inside && !area.empty()) note_notch(area, filled, hole.name);
       off.insert(off.end(), area.begin(), area.end());
@@ -168,14 +196,16 @@ class Cleaner {
     constexpr double kReach_m = 2e-3;
     constexpr double kStretch_m2 = 5e-5;  // 2 cm of border; a hole that touches at a point stays a hole
     if (area_m2(subtract(outset_round(hole, kReach_m), filled)) > kStretch_m2)
-      note(name + " is a hole on the border" + near(hole.front().shell.front()) + ", and is taken off as a notch");
+      note(name + " is a hole on the border" + near(hole.front().shell.front()) +
+           ", and is taken off as a notch");
   }
 
   void check_overlapping_parts() {
     Polygons earlier;
     for (std::size_t part = 0; part < part_areas_.size(); ++part) {
       if (const Polygons twice = intersect(part_areas_[part], earlier); !is_sliver(twice))
-        refuse(", part " + std::to_string(part + 1) + " shares " + square_metres(area_m2(twice)) + " with an earlier part" + near(twice.front().shell.front()),
+        refuse(", part " + std::to_string(part + 1) + " shares " + square_metres(area_m2(twice)) +
+                   " with an earlier part" + near(twice.front().shell.front()),
                "correct the parts", "they are united");
       earlier.insert(earlier.end(), part_areas_[part].begin(), part_areas_[part].end());
     }
@@ -183,24 +213,32 @@ class Cleaner {
 
   void check_area(double claimed_m2) {
     if (is_sliver(result_.parts))
-      throw InputError{field_.source + " has zero area: nothing of it is wider than 1 cm, or its holes leave nothing; correct the boundary"};
+      throw InputError{field_.source +
+                       " has zero area: nothing of it is wider than 1 cm, or its holes leave nothing; "
+                       "correct the boundary"};
     const double left_m2 = area_m2(result_.parts);
     if (std::abs(left_m2 - claimed_m2) <= kShare * claimed_m2 + kNothing_m2) return;
-    refuse(": cleaning changes its area from " + square_metres(claimed_m2) + " to " + square_metres(left_m2), "correct its rings", "the area changes");
+    refuse(": cleaning changes its area from " + square_metres(claimed_m2) + " to " + square_metres(left_m2),
+           "correct its rings", "the area changes");
   }
 
   void note_changed_parts() {
     std::size_t before = 0;
     for (const Polygons& area : part_areas_) before += area.size();
-    if (result_.parts.size() < before) note(": " + std::to_string(before) + " parts that touch along their borders are joined to " + std::to_string(result_.parts.size()));
+    if (result_.parts.size() < before)
+      note(": " + std::to_string(before) + " parts that touch along their borders are joined to " +
+           std::to_string(result_.parts.size()));
   }
 
   void drop_small_parts() {
     constexpr double kSmallest_m2 = 1;
     Polygons kept;
-    for (Polygon& area : result_.parts) {  // largest first: a lone small one is kept, for the planner to judge
-      if (!is_sliver({area}) && (kept.empty() || area_m2(area) >= kSmallest_m2)) kept.push_back(std::move(area));
-      else note(": a part of " + square_metres(area_m2(area)) + " is dropped" + near(area.shell.front()));
+    for (Polygon& area :
+         result_.parts) {  // largest first: a lone small one is kept, for the planner to judge
+      if (!is_sliver({area}) && (kept.empty() || area_m2(area) >= kSmallest_m2))
+        kept.push_back(std::move(area));
+      else
+        note(": a part of " + square_metres(area_m2(area)) + " is dropped" + near(area.shell.front()));
     }
     result_.parts = std::move(kept);
   }
@@ -230,7 +268,9 @@ void tidy(Ring& ring) {
 }
 
 void start_west(Ring& ring) {
-  const auto west = std::min_element(ring.begin(), ring.end(), [](Point a, Point b) { return a.x_m != b.x_m ? a.x_m < b.x_m : a.y_m < b.y_m; });
+  const auto west = std::min_element(ring.begin(), ring.end(), [](Point a, Point b) {
+    return a.x_m != b.x_m ? a.x_m < b.x_m : a.y_m < b.y_m;
+  });
   std::rotate(ring.begin(), west, ring.end());
 }
 
@@ -245,7 +285,8 @@ Ring local_ring(const LonLatRing& ring, const LocalFrame& frame, const std::stri
   for (const LonLat p : ring) {
     local.push_back(frame.to_local(p));
     if (!(distance_m(local.back(), local.front()) < kFarthest_m))
-      throw InputError{where + ": " + place(p) + " is more than 100 km from " + place(ring.front()) + "; this is no field: correct the coordinates"};
+      throw InputError{where + ": " + place(p) + " is more than 100 km from " + place(ring.front()) +
+                       "; this is no field: correct the coordinates"};
   }
   return local;
 }
@@ -264,6 +305,8 @@ Polygon tidied(const Polygon& area) {
   return result;
 }
 
-Cleaned cleaned(const Field& field, const LocalFrame& frame, Repair repair) { return Cleaner{field, frame, repair}.clean(); }
+Cleaned cleaned(const Field& field, const LocalFrame& frame, Repair repair) {
+  return Cleaner{field, frame, repair}.clean();
+}
 
 }  // namespace selion

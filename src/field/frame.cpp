@@ -2,17 +2,18 @@
 #include "selion/field/frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <proj.h>
-#include <proj_experimental.h>
 
+#include "proj_handles.hpp"
 #include "selion/core/error.hpp"
 #include "selion/core/units.hpp"
-#include "proj_handles.hpp"
 #include "text.hpp"
 
 namespace selion {
@@ -27,7 +28,8 @@ namespace {
 constexpr const char* kWgs84 = "+proj=longlat +datum=WGS84 +no_defs +type=crs";
 
 ProjObject transformation(const ProjContext& context, const std::string& plane) {
-  const ProjObject raw{proj_create_crs_to_crs(context.get(), kWgs84, (plane + " +type=crs").c_str(), nullptr)};
+  const ProjObject raw{
+      proj_create_crs_to_crs(context.get(), kWgs84, (plane + " +type=crs").c_str(), nullptr)};
   if (!raw) return nullptr;
   return ProjObject{proj_normalize_for_visualization(context.get(), raw.get())};
 }
@@ -47,26 +49,80 @@ std::string moved(std::string proj, const std::string& key, double by) {
 bool in_metres(const ProjContext& context, const PJ* crs) {
   const ProjObject axes{proj_crs_get_coordinate_system(context.get(), crs)};
   double metres = 0;
-  return axes && proj_cs_get_axis_info(context.get(), axes.get(), 0, nullptr, nullptr, nullptr, &metres, nullptr, nullptr,
-                                       nullptr) != 0 &&
+  return axes &&
+         proj_cs_get_axis_info(context.get(), axes.get(), 0, nullptr, nullptr, nullptr, &metres, nullptr,
+                               nullptr, nullptr) != 0 &&
          metres == 1;
 }
 
-/// @throws InputError unless the code is a projected CRS in metres whose datum PROJ ties to WGS84 without a grid.
-std::string proj_string_of(const ProjContext& context, const std::string& code) {
+/// " +towgs84=..." of the best step near `at` that seven numbers can say; empty where the datum is WGS84's.
+std::optional<std::string> shift_to_wgs84(const ProjContext& context, const PJ* crs, LonLat at) {
+  const ProjObject geodetic{proj_crs_get_geodetic_crs(context.get(), crs)};
+  const ProjObject wgs84{proj_create(context.get(), "EPSG:4326")};
+  const ProjFactory factory{proj_create_operation_factory_context(context.get(), nullptr)};
+  proj_operation_factory_context_set_area_of_interest(context.get(), factory.get(), at.lon_deg, at.lat_deg,
+                                                      at.lon_deg, at.lat_deg);
+  proj_operation_factory_context_set_spatial_criterion(context.get(), factory.get(),
+                                                       PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
+  const ProjList found{proj_create_operations(context.get(), geodetic.get(), wgs84.get(), factory.get())};
+  for (int i = 0; found && i < proj_list_get_count(found.get()); ++i) {
+    const ProjObject operation{proj_list_get(context.get(), found.get(), i)};
+    std::array<double, 7> values{};
+    constexpr int kQuietly = 0;
+    if (proj_coordoperation_get_towgs84_values(context.get(), operation.get(), values.data(), 7, kQuietly) ==
+        0)
+      continue;
+    std::string text = " +towgs84=";
+    for (const double value : values) text += (text.ends_with('=') ? "" : ",") + shortest(value);
+    return text;
+  }
+  return std::nullopt;
+}
+
+/// PROJ's utm takes no false origin: the same as a transverse Mercator does.
+std::string without_utm(std::string proj) {
+  const std::string mark = "+proj=utm +zone=";
+  const auto at = proj.find(mark);
+  if (at == std::string::npos) return proj;
+  int zone = 0;
+  const auto from = at + mark.size();
+  const char* end = std::from_chars(proj.data() + from, proj.data() + proj.size(), zone).ptr;
+  const std::string rest{static_cast<const char*>(end), static_cast<const char*>(proj.data()) + proj.size()};
+  const auto south = rest.find(" +south");
+  const std::string plane = "+proj=tmerc +lat_0=0 +lon_0=" + std::to_string(zone * 6 - 183) +
+                            " +k=0.9996 +x_0=500000 +y_0=" + (south == std::string::npos ? "0" : "10000000");
+  return plane + (south == std::string::npos ? rest : rest.substr(0, south) + rest.substr(south + 7));
+}
+
+/// @throws InputError unless the code is a projected CRS in metres that PROJ ties to WGS84 without a grid.
+std::string proj_string_of(const ProjContext& context, const std::string& code, LonLat at) {
   const ProjObject crs{proj_create(context.get(), code.c_str())};
   const std::string where = "frame CRS '" + code + "'";
   if (!crs) throw InputError{where + " is not known to PROJ; give a code such as EPSG:2154, or auto"};
   if (proj_get_type(crs.get()) != PJ_TYPE_PROJECTED_CRS || !in_metres(context, crs.get()))
-    throw InputError{where + " (" + proj_get_name(crs.get()) + ") is not a projected CRS in metres; give another, or auto"};
-  const ProjObject bound{proj_crs_create_bound_crs_to_WGS84(context.get(), crs.get(), nullptr)};
-  const char* text = proj_as_proj_string(context.get(), bound ? bound.get() : crs.get(), PJ_PROJ_4, nullptr);
+    throw InputError{where + " (" + proj_get_name(crs.get()) +
+                     ") is not a projected CRS in metres; give another, or auto"};
+  const char* text = proj_as_proj_string(context.get(), crs.get(), PJ_PROJ_4, nullptr);
   if (text == nullptr) throw InputError{where + " cannot be written as a PROJ string; give another, or auto"};
   std::string proj = text;
-  if (proj.find("grids=") != std::string::npos)
-    throw InputError{where + " needs a datum grid, which a plan cannot carry; give another, or auto"};
   if (const auto type = proj.find(" +type=crs"); type != std::string::npos) proj.erase(type);
-  return proj;
+  if (proj.find("+datum=WGS84") == std::string::npos && proj.find("+towgs84=") == std::string::npos) {
+    const auto shift = shift_to_wgs84(context, crs.get(), at);
+    if (!shift)
+      throw InputError{where +
+                       " is tied to WGS84 by a grid only, which a plan cannot carry; give another, or auto"};
+    if (const auto datum = proj.find(" +datum="); datum != std::string::npos) {
+      const auto end = std::min(proj.find(' ', datum + 1), proj.size());
+      const ProjObject ellipsoid{proj_get_ellipsoid(context.get(), crs.get())};
+      double major_m = 0;
+      double inverse_flattening = 0;
+      proj_ellipsoid_get_parameters(context.get(), ellipsoid.get(), &major_m, nullptr, nullptr,
+                                    &inverse_flattening);
+      proj.replace(datum, end - datum, " +a=" + shortest(major_m) + " +rf=" + shortest(inverse_flattening));
+    }
+    proj += *shift;
+  }
+  return without_utm(proj);
 }
 
 }  // namespace
@@ -86,21 +142,38 @@ LocalFrame LocalFrame::centred(LonLat origin) {
 
 LocalFrame LocalFrame::of_crs(const std::string& code, LonLat origin) {
   const ProjContext context = make_proj_context();
-  const std::string proj = proj_string_of(context, code);
+  const std::string proj = proj_string_of(context, code, origin);
   const Point at = LocalFrame{proj, origin}.to_local(origin);
   if (!std::isfinite(at.x_m) || !std::isfinite(at.y_m))
     throw InputError{"frame CRS '" + code + "' does not reach " + place(origin) + "; give another, or auto"};
-  return {moved(moved(proj, "x_0", -at.x_m), "y_0", -at.y_m), origin};
+  LocalFrame frame{moved(moved(proj, "x_0", -at.x_m), "y_0", -at.y_m), origin};
+  constexpr double kMoved_m = 1e-6;
+  if (!(length_m(frame.to_local(origin)) < kMoved_m))
+    throw InputError{"frame CRS '" + code + "' takes no false origin; give another, or auto"};
+  return frame;
 }
 
 Point LocalFrame::to_local(LonLat p) const {
-  const PJ_COORD out = proj_trans(projection_->from_wgs84.get(), PJ_FWD, proj_coord(p.lon_deg, p.lat_deg, 0, HUGE_VAL));
+  const PJ_COORD out =
+      proj_trans(projection_->from_wgs84.get(), PJ_FWD, proj_coord(p.lon_deg, p.lat_deg, 0, HUGE_VAL));
   return {out.xy.x, out.xy.y};
 }
 
 LonLat LocalFrame::to_lonlat(Point p) const {
-  const PJ_COORD out = proj_trans(projection_->from_wgs84.get(), PJ_INV, proj_coord(p.x_m, p.y_m, 0, HUGE_VAL));
-  return {out.xy.x, out.xy.y};
+  constexpr double kExact_m = 1e-8;
+  constexpr int kMost = 3;
+  LonLat found;
+  Point aim = p;
+  // A datum shift in two dimensions drops the height, so PROJ's way back misses by up to a millimetre.
+  for (int i = 0; i < kMost; ++i) {
+    const PJ_COORD out =
+        proj_trans(projection_->from_wgs84.get(), PJ_INV, proj_coord(aim.x_m, aim.y_m, 0, HUGE_VAL));
+    found = {out.xy.x, out.xy.y};
+    const Point missed = p - to_local(found);
+    if (!(length_m(missed) > kExact_m)) break;
+    aim = aim + missed;
+  }
+  return found;
 }
 
 double LocalFrame::convergence_deg(Point p) const {
@@ -111,7 +184,8 @@ double LocalFrame::convergence_deg(Point p) const {
   constexpr double kFlatteningSquared = 0.00669437999014;  // e2 of WGS84
   const double w2 = 1 - kFlatteningSquared * std::sin(middle_rad) * std::sin(middle_rad);
   const double east = std::remainder(north.lon_deg - south.lon_deg, 360) * std::cos(middle_rad);
-  const double up = (north.lat_deg - south.lat_deg) * (1 - kFlatteningSquared) / w2;  // radii M : N = (1 - e2) : w2
+  const double up =
+      (north.lat_deg - south.lat_deg) * (1 - kFlatteningSquared) / w2;  // radii M : N = (1 - e2) : w2
   return degrees_of_radians(std::atan2(east, up));
 }
 
@@ -132,8 +206,11 @@ LonLat centre(const Field& field) {
     }
   }
   if (first) throw InputError{field.source + " has no boundary"};
-  const auto rounded = [](double degrees) { return std::round(degrees * 1e9) / 1e9; };  // as a plan file writes it
-  return {rounded(std::remainder((low.lon_deg + high.lon_deg) / 2, 360)), rounded((low.lat_deg + high.lat_deg) / 2)};
+  const auto rounded = [](double degrees) {
+    return std::round(degrees * 1e9) / 1e9;
+  };  // as a plan file writes it
+  return {rounded(std::remainder((low.lon_deg + high.lon_deg) / 2, 360)),
+          rounded((low.lat_deg + high.lat_deg) / 2)};
 }
 
 }  // namespace selion

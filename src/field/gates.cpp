@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "clean.hpp"
+#include "selion/core/format.hpp"
 #include "text.hpp"
 
 namespace selion {
@@ -53,9 +54,12 @@ void attach_gates(const Field& field, const LocalFrame& frame, Blocks& into) {
       best = here;
       owner = &block;
     }
-    if (owner != nullptr && best.away_m <= kReach_m) owner->gates.push_back({gate.name, best.at, best.inward_rad, gate.width_m});
-    else into.notes.push_back(field.source + ": the gate '" + gate.name + "' at " + place(gate.at) + " is left out, being " + fixed(best.away_m, 1) +
-                              " m from the border; a gate must lie within 20 m of it");
+    if (owner != nullptr && best.away_m <= kReach_m)
+      owner->gates.push_back({gate.name, best.at, best.inward_rad, gate.width_m});
+    else
+      into.notes.push_back(field.source + ": the gate '" + gate.name + "' at " + place(gate.at) +
+                           " is left out, being " + fixed(best.away_m, 1) +
+                           " m from the border; a gate must lie within 20 m of it");
   }
 }
 

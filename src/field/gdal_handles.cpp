@@ -15,7 +15,8 @@ namespace {
 void CPL_STDCALL keep(CPLErr severity, CPLErrorNum /*number*/, const char* text) {
   auto* messages = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
   if (severity == CE_Failure || severity == CE_Fatal) messages->failures.emplace_back(text);
-  if (severity == CE_Warning && std::find(messages->warnings.begin(), messages->warnings.end(), text) == messages->warnings.end())
+  if (severity == CE_Warning &&
+      std::find(messages->warnings.begin(), messages->warnings.end(), text) == messages->warnings.end())
     messages->warnings.emplace_back(text);
 }
 
@@ -28,7 +29,8 @@ GdalMessages::~GdalMessages() {
   CPLErrorReset();
 }
 
-MemoryFolder::MemoryFolder() : path_{"/vsimem/selion_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))} {}
+MemoryFolder::MemoryFolder()
+    : path_{"/vsimem/selion_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))} {}
 
 MemoryFolder::~MemoryFolder() { VSIRmdirRecursive(path_.c_str()); }
 

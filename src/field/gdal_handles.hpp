@@ -18,7 +18,8 @@ class GdalMessages {
   std::vector<std::string> warnings;  ///< each once
 };
 
-/// A folder in memory, gone with its files at the end: GDAL writes beside what it reads, which the user's folder is spared.
+/// A folder in memory, gone with its files at the end: GDAL writes beside what it reads, which the user's
+/// folder is spared.
 class MemoryFolder {
  public:
   MemoryFolder();

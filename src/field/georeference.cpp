@@ -22,7 +22,8 @@ std::string name_of(const ProjContext& context, const PJ* crs) {
   const char* code = proj_get_id_code(crs, 0);
   const std::string name = proj_get_name(crs);
   (void)context;
-  return authority != nullptr && code != nullptr ? std::string{authority} + ":" + code + " (" + name + ")" : name;
+  return authority != nullptr && code != nullptr ? std::string{authority} + ":" + code + " (" + name + ")"
+                                                 : name;
 }
 
 ProjObject geodetic_of(const ProjContext& context, const PJ* crs) {
@@ -42,14 +43,15 @@ std::optional<double> degrees_per_unit(const ProjContext& context, const PJ* crs
   if (type != PJ_TYPE_GEOGRAPHIC_2D_CRS && type != PJ_TYPE_GEOGRAPHIC_3D_CRS) return std::nullopt;
   const ProjObject axes{proj_crs_get_coordinate_system(context.get(), crs)};
   double radians = 0;
-  if (!axes || proj_cs_get_axis_info(context.get(), axes.get(), 0, nullptr, nullptr, nullptr, &radians, nullptr, nullptr,
-                                     nullptr) == 0)
+  if (!axes || proj_cs_get_axis_info(context.get(), axes.get(), 0, nullptr, nullptr, nullptr, &radians,
+                                     nullptr, nullptr, nullptr) == 0)
     return 1;
   const double degrees = degrees_of_radians(radians);
   return std::abs(degrees - 1) < 1e-9 ? 1 : degrees;
 }
 
-/// Conversions within one datum have no accuracy of their own: they are exact. Where a datum changes, -1 is "not known".
+/// Conversions within one datum have no accuracy of their own: they are exact. Where a datum changes, -1 is
+/// "not known".
 std::optional<double> accuracy_of(const ProjContext& context, const PJ* operation, bool same_datum) {
   if (same_datum) return 0;
   if (proj_coordoperation_has_ballpark_transformation(context.get(), operation) != 0) return std::nullopt;
@@ -64,29 +66,13 @@ std::vector<std::string> missing_grids(const ProjContext& context, const PJ* ope
   for (int i = 0; i < count; ++i) {
     const char* name = nullptr;
     int available = 0;
-    if (proj_coordoperation_get_grid_used(context.get(), operation, i, &name, nullptr, nullptr, nullptr, nullptr,
-                                          nullptr, &available) != 0 &&
+    if (proj_coordoperation_get_grid_used(context.get(), operation, i, &name, nullptr, nullptr, nullptr,
+                                          nullptr, nullptr, &available) != 0 &&
         available == 0 && name != nullptr)
       missing.emplace_back(name);
   }
   return missing;
 }
-
-struct Operations {
-  PJ_OBJ_LIST* list;
-  explicit Operations(PJ_OBJ_LIST* made) : list{made} {}
-  Operations(const Operations&) = delete;
-  Operations& operator=(const Operations&) = delete;
-  ~Operations() { proj_list_destroy(list); }
-};
-
-struct Factory {
-  PJ_OPERATION_FACTORY_CONTEXT* context;
-  explicit Factory(PJ_OPERATION_FACTORY_CONTEXT* made) : context{made} {}
-  Factory(const Factory&) = delete;
-  Factory& operator=(const Factory&) = delete;
-  ~Factory() { proj_operation_factory_context_destroy(context); }
-};
 
 LonLat transformed(PJ* operation, RawPoint p) {
   const PJ_COORD out = proj_trans(operation, PJ_FWD, proj_coord(p.x, p.y, 0, HUGE_VAL));
@@ -100,11 +86,13 @@ bool finite(LonLat p) { return std::isfinite(p.lon_deg) && std::isfinite(p.lat_d
 Georeference::Georeference(const std::string& crs, const std::string& where) : context_{make_proj_context()} {
   crs_.reset(proj_create(context_.get(), crs.c_str()));
   if (!crs_ || proj_is_crs(crs_.get()) == 0)
-    throw InputError{where + ": PROJ does not know the CRS '" + crs.substr(0, 80) + "'; give one as --crs EPSG:CODE"};
+    throw InputError{where + ": PROJ does not know the CRS '" + crs.substr(0, 80) +
+                     "'; give one as --crs EPSG:CODE"};
   const ProjObject geodetic = geodetic_of(context_, crs_.get());
   const ProjObject target{proj_create(context_.get(), kTarget)};
-  const ProjObject raw{geodetic ? proj_create_crs_to_crs_from_pj(context_.get(), crs_.get(), target.get(), nullptr, nullptr)
-                                : nullptr};
+  const ProjObject raw{
+      geodetic ? proj_create_crs_to_crs_from_pj(context_.get(), crs_.get(), target.get(), nullptr, nullptr)
+               : nullptr};
   if (raw) rough_.reset(proj_normalize_for_visualization(context_.get(), raw.get()));
   if (!rough_)
     throw InputError{where + ": the CRS " + name_of(context_, crs_.get()) +
@@ -115,8 +103,10 @@ Georeference::Georeference(const std::string& crs, const std::string& where) : c
   is_wgs84_ = degrees_per_unit_ == 1.0 && datum_ == kWgs84Datum;
   Area area;
   const char* about = nullptr;
-  if (!degrees_per_unit_ && proj_get_area_of_use(context_.get(), crs_.get(), &area.west, &area.south, &area.east,
-                                                 &area.north, &about) != 0 && area.west > -1000) {
+  if (!degrees_per_unit_ &&
+      proj_get_area_of_use(context_.get(), crs_.get(), &area.west, &area.south, &area.east, &area.north,
+                           &about) != 0 &&
+      area.west > -1000) {
     area.name = about == nullptr ? "" : about;
     area_ = area;
   }
@@ -125,7 +115,8 @@ Georeference::Georeference(const std::string& crs, const std::string& where) : c
 void Georeference::check(RawPoint p, const std::string& where) const {
   if (!degrees_per_unit_) {
     if (!finite(rough(p)))
-      throw InputError{where + ": x " + shortest(p.x) + ", y " + shortest(p.y) + " lies outside the range of " + name_ +
+      throw InputError{where + ": x " + shortest(p.x) + ", y " + shortest(p.y) +
+                       " lies outside the range of " + name_ +
                        "; check the file's CRS and whether its axes are swapped"};
     return;
   }
@@ -134,17 +125,20 @@ void Georeference::check(RawPoint p, const std::string& where) const {
   if (std::abs(lon) <= 180 + kRounding_deg && std::abs(lat) <= 90 + kRounding_deg) return;
   const bool swapped = std::abs(lat) <= 180 && std::abs(lon) <= 90;
   const bool beyond_lat = std::abs(lat) > 90 + kRounding_deg;
-  throw InputError{where + ": " + (beyond_lat ? "latitude " + shortest(p.y) + " is outside -90 to 90"
-                                              : "longitude " + shortest(p.x) + " is outside -180 to 180") +
-                   (swapped ? "; are longitude and latitude swapped?"
-                            : "; these are no degrees of " + name_ +
-                                  ": correct the file's CRS, or name it with --crs EPSG:CODE where the file has none")};
+  throw InputError{
+      where + ": " +
+      (beyond_lat ? "latitude " + shortest(p.y) + " is outside -90 to 90"
+                  : "longitude " + shortest(p.x) + " is outside -180 to 180") +
+      (swapped ? "; are longitude and latitude swapped?"
+               : "; these are no degrees of " + name_ +
+                     ": correct the file's CRS, or name it with --crs EPSG:CODE where the file has none")};
 }
 
 LonLat Georeference::rough(RawPoint p) const { return transformed(rough_.get(), p); }
 
 bool Georeference::in_area(LonLat p, double margin_deg) const {
-  const double width = area_->east - area_->west + (area_->east < area_->west ? 360 : 0);  // some cross the antimeridian
+  const double width =
+      area_->east - area_->west + (area_->east < area_->west ? 360 : 0);  // some cross the antimeridian
   const double from_middle = std::remainder(p.lon_deg - (area_->west + width / 2), 360);
   return std::abs(from_middle) <= width / 2 + margin_deg && p.lat_deg >= area_->south - margin_deg &&
          p.lat_deg <= area_->north + margin_deg;
@@ -167,18 +161,18 @@ std::optional<std::string> Georeference::outside_area_of_use(RawPoint p, const s
 
 DatumStep Georeference::best_step(LonLat low, LonLat high) const {
   const ProjObject target{proj_create(context_.get(), kTarget)};
-  const Factory factory{proj_create_operation_factory_context(context_.get(), nullptr)};
-  proj_operation_factory_context_set_area_of_interest(context_.get(), factory.context, low.lon_deg, low.lat_deg,
+  const ProjFactory factory{proj_create_operation_factory_context(context_.get(), nullptr)};
+  proj_operation_factory_context_set_area_of_interest(context_.get(), factory.get(), low.lon_deg, low.lat_deg,
                                                       high.lon_deg, high.lat_deg);
-  proj_operation_factory_context_set_spatial_criterion(context_.get(), factory.context,
+  proj_operation_factory_context_set_spatial_criterion(context_.get(), factory.get(),
                                                        PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
-  proj_operation_factory_context_set_grid_availability_use(context_.get(), factory.context,
+  proj_operation_factory_context_set_grid_availability_use(context_.get(), factory.get(),
                                                            PROJ_GRID_AVAILABILITY_USED_FOR_SORTING);
-  const Operations found{proj_create_operations(context_.get(), crs_.get(), target.get(), factory.context)};
+  const ProjList found{proj_create_operations(context_.get(), crs_.get(), target.get(), factory.get())};
   DatumStep step;
   std::vector<std::pair<double, std::vector<std::string>>> unavailable;
-  for (int i = 0; i < (found.list == nullptr ? 0 : proj_list_get_count(found.list)); ++i) {
-    const ProjObject operation{proj_list_get(context_.get(), found.list, i)};
+  for (int i = 0; i < (!found ? 0 : proj_list_get_count(found.get())); ++i) {
+    const ProjObject operation{proj_list_get(context_.get(), found.get(), i)};
     const bool works = proj_coordoperation_is_instantiable(context_.get(), operation.get()) != 0;
     if (works && !step.operation) {
       step.operation.reset(proj_normalize_for_visualization(context_.get(), operation.get()));
@@ -204,8 +198,10 @@ const DatumStep& Georeference::step_at(RawPoint p) {
   if (const auto known = steps_.find(cell); known != steps_.end()) return known->second;
   const LonLat low{cell.first * kCell_deg, cell.second * kCell_deg};
   DatumStep step;
-  if (is_wgs84_) step = {nullptr, "none", 0.0, {}};
-  else step = best_step(low, {low.lon_deg + kCell_deg, low.lat_deg + kCell_deg});
+  if (is_wgs84_)
+    step = {nullptr, "none", 0.0, {}};
+  else
+    step = best_step(low, {low.lon_deg + kCell_deg, low.lat_deg + kCell_deg});
   return steps_.emplace(cell, std::move(step)).first->second;
 }
 

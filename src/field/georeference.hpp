@@ -15,9 +15,9 @@ namespace selion {
 
 /// One way from a file's CRS to WGS84, the best that PROJ can do in a neighbourhood.
 struct DatumStep {
-  ProjObject operation;                  ///< absent: the coordinates are WGS84 longitude and latitude already
+  ProjObject operation;  ///< absent: the coordinates are WGS84 longitude and latitude already
   std::string name;
-  std::optional<double> accuracy_m;      ///< as PROJ states it
+  std::optional<double> accuracy_m;        ///< as PROJ states it
   std::vector<std::string> missing_grids;  ///< of a better way, not installed
 };
 
@@ -27,11 +27,12 @@ class Georeference {
   /// @throws InputError where PROJ does not know `crs` or it lies nowhere on earth (local, engineering).
   Georeference(const std::string& crs, const std::string& where);
 
-  [[nodiscard]] const std::string& name() const { return name_; }    ///< "EPSG:28992 (Amersfoort / RD New)"
+  [[nodiscard]] const std::string& name() const { return name_; }  ///< "EPSG:28992 (Amersfoort / RD New)"
   [[nodiscard]] const std::string& datum() const { return datum_; }
   /// @throws InputError where `p` lies outside the CRS's range, with what that looks like.
   void check(RawPoint p, const std::string& where) const;
-  /// A note where `p` is outside the CRS's area of use. @throws InputError where swapped axes would put it inside.
+  /// A note where `p` is outside the CRS's area of use. @throws InputError where swapped axes would put it
+  /// inside.
   [[nodiscard]] std::optional<std::string> outside_area_of_use(RawPoint p, const std::string& where) const;
   /// The step for a field at `p`; made once for each quarter of a degree.
   const DatumStep& step_at(RawPoint p);

@@ -13,7 +13,7 @@ namespace selion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kAxis_m = 6378137;                      // WGS84
+constexpr double kAxis_m = 6378137;  // WGS84
 constexpr double kEccentricitySquared = 0.00669437999014;
 
 struct RawBox {
@@ -24,7 +24,9 @@ struct RawBox {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  [[nodiscard]] RawPoint middle() const { return {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2}; }
+  [[nodiscard]] RawPoint middle() const {
+    return {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2};
+  }
   [[nodiscard]] bool empty() const { return low.x > high.x; }
 };
 
@@ -41,7 +43,8 @@ RawBox box_of(const RawFeature& feature) {
 
 class Locator {
  public:
-  Locator(Georeference& georeference, std::string where) : georeference_{georeference}, where_{std::move(where)} {}
+  Locator(Georeference& georeference, std::string where)
+      : georeference_{georeference}, where_{std::move(where)} {}
 
   void choose_step(RawPoint middle, Located& into, std::optional<double> accept_m) {
     step_ = &georeference_.step_at(middle);
@@ -71,13 +74,15 @@ class Locator {
     const bool closed = given > 1 && raw.front() == raw.back();
     if (closed) raw.pop_back();
     if (raw.size() < 3)
-      throw InputError{where_ + what + " has " + std::to_string(given) + " positions, a closed ring needs 4; correct or delete it"};
+      throw InputError{where_ + what + " has " + std::to_string(given) +
+                       " positions, a closed ring needs 4; correct or delete it"};
     if (!closed) notes.push_back(where_ + what + " is not closed; its last corner is joined to its first");
     LonLatRing ring = line(raw);
     double turn_deg = 0;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
       turn_deg += std::remainder(ring[i].lon_deg - ring[j].lon_deg, 360);
-    if (std::abs(turn_deg) > 180) throw InputError{where_ + what + " goes around a pole; such a field cannot be planned"};
+    if (std::abs(turn_deg) > 180)
+      throw InputError{where_ + what + " goes around a pole; such a field cannot be planned"};
     return ring;
   }
 
@@ -90,9 +95,12 @@ class Locator {
     if (accuracy <= kWorthANote_m) return std::nullopt;
     std::string grids;
     for (const std::string& grid : step_->missing_grids) grids += (grids.empty() ? "" : ", ") + grid;
-    const std::string better = grids.empty() ? "PROJ knows no better way" : "PROJ's grid " + grids + " is missing: install it";
-    const std::string text = where_ + ": the step from the datum of " + georeference_.name() + " to WGS84 (" + step_->name + ") is " +
-                             (step_->accuracy_m ? "good to " + shortest(accuracy) + " m only" : "of unknown accuracy, perhaps hundreds of metres off");
+    const std::string better =
+        grids.empty() ? "PROJ knows no better way" : "PROJ's grid " + grids + " is missing: install it";
+    const std::string text = where_ + ": the step from the datum of " + georeference_.name() + " to WGS84 (" +
+                             step_->name + ") is " +
+                             (step_->accuracy_m ? "good to " + shortest(accuracy) + " m only"
+                                                : "of unknown accuracy, perhaps hundreds of metres off");
     if (accuracy > accept_m.value_or(kMost_m))
       throw InputError{text + "; " + better + ", or go on with --accept-datum-error " + shortest(accuracy)};
     return text + "; " + better;
@@ -127,9 +135,12 @@ Located located(const RawFeature& feature, Georeference& georeference, const std
   for (std::size_t part = 0; part < feature.polygons.size(); ++part) {
     LonLatPolygon polygon;
     for (std::size_t ring = 0; ring < feature.polygons[part].size(); ++ring) {
-      LonLatRing one = locator.ring(feature.polygons[part][ring], part_name(feature, part, ring), result.notes);
-      if (ring == 0) polygon.shell = std::move(one);
-      else polygon.holes.push_back(std::move(one));
+      LonLatRing one =
+          locator.ring(feature.polygons[part][ring], part_name(feature, part, ring), result.notes);
+      if (ring == 0)
+        polygon.shell = std::move(one);
+      else
+        polygon.holes.push_back(std::move(one));
     }
     result.polygons.push_back(std::move(polygon));
   }
@@ -141,11 +152,13 @@ Located located(const RawFeature& feature, Georeference& georeference, const std
 bool implausibly_large(const RawFeature& feature, Georeference& georeference) {
   constexpr double kLargest_m = 100e3;
   const RawBox box = box_of(feature);
-  if (box.empty() || !std::isfinite(box.low.x + box.low.y) || !std::isfinite(box.high.x + box.high.y)) return false;
+  if (box.empty() || !std::isfinite(box.low.x + box.low.y) || !std::isfinite(box.high.x + box.high.y))
+    return false;
   const DatumStep& step = georeference.step_at(box.middle());
   const LonLat low = georeference.converted(box.low, step);
   const LonLat high = georeference.converted(box.high, step);
-  if (!(std::abs(low.lat_deg) <= 90) || !(std::abs(high.lat_deg) <= 90)) return false;  // out of range: said elsewhere
+  if (!(std::abs(low.lat_deg) <= 90) || !(std::abs(high.lat_deg) <= 90))
+    return false;  // out of range: said elsewhere
   return length_m(tangent(high, low)) > kLargest_m;
 }
 
@@ -154,8 +167,9 @@ Point tangent(LonLat p, LonLat reference) {
   const double w2 = 1 - kEccentricitySquared * std::sin(lat_rad) * std::sin(lat_rad);
   const double normal_m = kAxis_m / std::sqrt(w2);
   const double meridian_m = normal_m * (1 - kEccentricitySquared) / w2;
-  return {radians_of_degrees(std::remainder(p.lon_deg - reference.lon_deg, 360)) * normal_m * std::cos(lat_rad),
-          radians_of_degrees(p.lat_deg - reference.lat_deg) * meridian_m};
+  return {
+      radians_of_degrees(std::remainder(p.lon_deg - reference.lon_deg, 360)) * normal_m * std::cos(lat_rad),
+      radians_of_degrees(p.lat_deg - reference.lat_deg) * meridian_m};
 }
 
 LonLat from_tangent(Point p, LonLat reference) {

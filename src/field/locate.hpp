@@ -20,30 +20,33 @@ struct Located {
   std::vector<std::string> notes;
 };
 
-/// Every coordinate checked and brought to WGS84; rings opened (their closing corner dropped, or noted as missing).
-/// @throws InputError naming part, ring and coordinate, for rings of less than three corners, for rings around a pole, and
-/// for a datum step worse than `accept_datum_error_m` (5 m where absent).
+/// Every coordinate checked and brought to WGS84; rings opened (their closing corner dropped, or noted as
+/// missing).
+/// @throws InputError naming part, ring and coordinate, for rings of less than three corners, for rings
+/// around a pole, and for a datum step worse than `accept_datum_error_m` (5 m where absent).
 Located located(const RawFeature& feature, Georeference& georeference, const std::string& where,
                 std::optional<double> accept_datum_error_m);
 
 /// Whether the feature is more than 100 km across: an extent, a country, but no field.
 bool implausibly_large(const RawFeature& feature, Georeference& georeference);
 
-/// Metres on WGS84's tangent plane at `reference`: exact enough within some kilometres, across the antimeridian too.
+/// Metres on WGS84's tangent plane at `reference`: exact enough within some kilometres, across the
+/// antimeridian too.
 Point tangent(LonLat p, LonLat reference);
 LonLat from_tangent(Point p, LonLat reference);
 
 struct LonLatBox {
   LonLat low;
-  LonLat high;   ///< east of `low`: beyond 180 where the box crosses the antimeridian
+  LonLat high;  ///< east of `low`: beyond 180 where the box crosses the antimeridian
 };
 LonLatBox bounds(const std::vector<LonLatPolygon>& polygons);
 
-/// An obstacle's outline from any geometry: polygons as they are, a point as 16 sides around its `radius_m`, a line as a
-/// band `width_m` wide (2 cm where absent).
+/// An obstacle's outline from any geometry: polygons as they are, a point as 16 sides around its `radius_m`,
+/// a line as a band `width_m` wide (2 cm where absent).
 /// @throws InputError for a point without `radius_m`, and for numbers that are none.
 std::vector<LonLatPolygon> outlines(const Located& feature, const RawFeature& raw, const std::string& where);
 /// A positive number among the attributes. @throws InputError where it is something else.
-std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key, const std::string& where);
+std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key,
+                                       const std::string& where);
 
 }  // namespace selion

@@ -23,7 +23,8 @@ class Snapper {
     const auto row = static_cast<std::int64_t>(std::floor(p.y_m / kSnap_m));
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)
-        if (const auto found = cells_.find({column + dx, row + dy}); found != cells_.end() && distance_m(found->second, p) < kSnap_m)
+        if (const auto found = cells_.find({column + dx, row + dy});
+            found != cells_.end() && distance_m(found->second, p) < kSnap_m)
           return found->second;
     cells_.emplace(std::pair{column, row}, p);
     return p;
@@ -73,7 +74,8 @@ Ring with_touches(const Ring& ring, const std::vector<Point>& corners_by_x) {
     const Point b = ring[(i + 1) % ring.size()];
     const auto [west, east] = std::minmax(a.x_m, b.x_m);
     const auto [south, north] = std::minmax(a.y_m, b.y_m);
-    auto p = std::lower_bound(corners_by_x.begin(), corners_by_x.end(), west - kSnap_m, [](Point q, double x) { return q.x_m < x; });
+    auto p = std::lower_bound(corners_by_x.begin(), corners_by_x.end(), west - kSnap_m,
+                              [](Point q, double x) { return q.x_m < x; });
     for (; p != corners_by_x.end() && p->x_m <= east + kSnap_m; ++p) {
       if (p->y_m < south - kSnap_m || p->y_m > north + kSnap_m) continue;
       if (const auto along = touch(a, b, *p)) insertions.push_back({i, *along, *p});
@@ -103,7 +105,8 @@ Ring with_crossings(const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i];
     const Point b = ring[(i + 1) % ring.size()];
-    edges.push_back({i, a, b, std::min(a.x_m, b.x_m), std::max(a.x_m, b.x_m), std::min(a.y_m, b.y_m), std::max(a.y_m, b.y_m)});
+    edges.push_back({i, a, b, std::min(a.x_m, b.x_m), std::max(a.x_m, b.x_m), std::min(a.y_m, b.y_m),
+                     std::max(a.y_m, b.y_m)});
   }
   std::stable_sort(edges.begin(), edges.end(), [](const Edge& e, const Edge& f) { return e.west < f.west; });
   std::vector<Insertion> insertions;
@@ -111,7 +114,8 @@ Ring with_crossings(const Ring& ring) {
     for (std::size_t j = i + 1; j < edges.size() && edges[j].west <= edges[i].east; ++j) {
       const Edge& e = edges[i];
       const Edge& f = edges[j];
-      if (e.south > f.north || f.south > e.north || e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) continue;
+      if (e.south > f.north || f.south > e.north || e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b)
+        continue;
       const auto shares = crossing(e.a, e.b, f.a, f.b);
       if (!shares) continue;
       const Point at = e.a + shares->first * (e.b - e.a);
@@ -148,17 +152,21 @@ std::vector<Spike> drop_spikes(Ring& ring) {
   const auto add = [&](Point p) {
     if (kept.size() >= 2 && kept[kept.size() - 2] == p) {
       // A spike of several corners is popped from its tip down: it stays one spike.
-      if (!spikes.empty() && spikes.back().foot == kept.back()) spikes.back().foot = p;
-      else spikes.push_back({p, kept.back()});
+      if (!spikes.empty() && spikes.back().foot == kept.back())
+        spikes.back().foot = p;
+      else
+        spikes.push_back({p, kept.back()});
       kept.pop_back();
     } else if (kept.empty() || !(kept.back() == p)) {
       kept.push_back(p);
     }
   };
   if (ring.size() < 3) return spikes;
-  // Started at an extreme corner that no spike's foot can be, unless the spike is the extreme: hence once around and on.
+  // Started at an extreme corner that no spike's foot can be, unless the spike is the extreme: hence once
+  // around and on.
   for (const Point p : ring) add(p);
-  while (kept.size() > 2 && (kept.back() == kept.front() || kept[kept.size() - 2] == kept.front() || kept.back() == kept[1])) {
+  while (kept.size() > 2 &&
+         (kept.back() == kept.front() || kept[kept.size() - 2] == kept.front() || kept.back() == kept[1])) {
     if (kept.back() == kept.front()) {
       kept.pop_back();
     } else if (kept[kept.size() - 2] == kept.front()) {
@@ -189,7 +197,11 @@ std::vector<Loop> loops_of(const Ring& ring) {
     for (auto corner = from + 1; corner != path.end(); ++corner) seen.erase(*corner);
     path.erase(from + 1, path.end());
   }
-  if (!path.empty()) loops.push_back({path, path.front()});
+  if (path.empty()) return loops;
+  Point pinch = path.front();
+  for (const Loop& loop : loops)  // the rest closes where the others were cut off it
+    if (seen.contains(loop.pinch)) pinch = loop.pinch;
+  loops.push_back({std::move(path), pinch});
   return loops;
 }
 

@@ -10,8 +10,8 @@ namespace selion {
 /// Corners nearer than this are one; a corner nearer than this to an edge lies on it.
 constexpr double kSnap_m = 1e-3;
 
-/// Corners of all rings within kSnap_m of an earlier one moved onto it, repeated corners dropped, and corners that touch an
-/// edge of any ring made corners of that ring too: what touched roughly now touches exactly.
+/// Corners of all rings within kSnap_m of an earlier one moved onto it, repeated corners dropped, and corners
+/// that touch an edge of any ring made corners of that ring too: what touched roughly now touches exactly.
 /// @returns how many corners were dropped.
 int snap(std::vector<Ring>& rings);
 
@@ -25,12 +25,12 @@ std::vector<Spike> drop_spikes(Ring& ring);
 
 /// A part of a ring that returns to where it started.
 struct Loop {
-  Ring ring;       ///< no corner twice
-  Point pinch;     ///< where it closes; a crossing or touching place of the ring, but for the last loop
+  Ring ring;    ///< no corner twice
+  Point pinch;  ///< where it closes: a crossing or touching place of the ring, unless it is the whole of it
 };
 
-/// The ring cut at every place where it crosses or touches itself (snapped rings only). Zero-width spikes come out as
-/// loops of two corners. @returns at least one loop for a ring with corners.
+/// The ring cut at every place where it crosses or touches itself (snapped rings only). Zero-width spikes
+/// come out as loops of two corners. @returns at least one loop for a ring with corners.
 std::vector<Loop> loops_of(const Ring& ring);
 
 }  // namespace selion

@@ -14,7 +14,8 @@ namespace {
 
 std::optional<Role> role_named(const std::string& word) {
   std::string name = lower(word);
-  std::replace_if(name.begin(), name.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '-' || c == ' '; }, '_');
   if (name == "obstacle" || name == "obstacles") return Role::obstacle;
   if (name == "gate" || name == "gates") return Role::gate;
   if (name == "no_go" || name == "nogo") return Role::no_go;
@@ -38,19 +39,24 @@ std::optional<Role> role_of_feature(const RawFeature& feature, const std::string
 }
 
 std::optional<std::string> name_of(const RawFeature& feature) {
-  constexpr std::array<const char*, 9> kKeys{"name", "field", "field_name", "fieldname", "title", "label", "id", "uid", "fid"};
+  constexpr std::array<const char*, 9> kKeys{"name",  "field", "field_name", "fieldname", "title",
+                                             "label", "id",    "uid",        "fid"};
   for (const char* key : kKeys)
     for (const std::string& attribute : feature.attribute_order)
-      if (lower(attribute) == key && !feature.attributes.at(attribute).empty()) return feature.attributes.at(attribute);
+      if (lower(attribute) == key && !feature.attributes.at(attribute).empty())
+        return feature.attributes.at(attribute);
   return std::nullopt;
 }
 
-std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features, const std::string& stem) {
+std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features,
+                                      const std::string& stem) {
   std::vector<std::string> names;
   std::set<std::string> taken;
   for (const RawFeature* feature : features) {
     const auto own = name_of(*feature);
-    std::string name = own ? *own : features.size() == 1 ? stem : stem + " " + std::to_string(feature->number);
+    std::string name = own                    ? *own
+                       : features.size() == 1 ? stem
+                                              : stem + " " + std::to_string(feature->number);
     const std::string base = name;
     for (int again = 2; !taken.insert(name).second; ++again) name = base + " (" + std::to_string(again) + ")";
     names.push_back(std::move(name));

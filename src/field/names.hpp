@@ -18,8 +18,10 @@ std::optional<Role> role_of_feature(const RawFeature& feature, const std::string
 
 /// From an attribute name, field, field_name, title, label, id ..., in this order and in any case.
 std::optional<std::string> name_of(const RawFeature& feature);
-/// A name for each: its own, else `stem` (with the feature's number where there are several); namesakes get a number.
-std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features, const std::string& stem);
+/// A name for each: its own, else `stem` (with the feature's number where there are several); namesakes get a
+/// number.
+std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features,
+                                      const std::string& stem);
 
 /// The one that `wanted` names, by its name or else by its number in the file.
 /// @throws InputError listing the nearest names.

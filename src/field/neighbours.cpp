@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "locate.hpp"
+#include "selion/core/format.hpp"
 #include "selion/core/units.hpp"
 #include "selion/geometry/boolean.hpp"
 #include "text.hpp"
@@ -30,7 +31,8 @@ Polygons in_plane(const std::vector<LonLatPolygon>& parts, LonLat reference) {
 
 void compare(const Field& earlier, Field& later) {
   if (earlier.parts == later.parts) {
-    later.notes.push_back(later.source + " has the same boundary as feature " + std::to_string(earlier.number));
+    later.notes.push_back(later.source + " has the same boundary as feature " +
+                          std::to_string(earlier.number));
     return;
   }
   constexpr double kShare = 0.01;
@@ -53,13 +55,16 @@ void note_neighbours(std::vector<Field>& fields) {
   for (const Field& field : fields) boxes.push_back(bounds(field.parts));
   std::vector<std::size_t> order(fields.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return boxes[a].low.lon_deg < boxes[b].low.lon_deg; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return boxes[a].low.lon_deg < boxes[b].low.lon_deg; });
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].low.lon_deg < boxes[order[i]].high.lon_deg; ++j) {
+    for (std::size_t j = i + 1;
+         j < order.size() && boxes[order[j]].low.lon_deg < boxes[order[i]].high.lon_deg; ++j) {
       const LonLatBox& a = boxes[order[i]];
       const LonLatBox& b = boxes[order[j]];
-      if (a.low.lat_deg < b.high.lat_deg && b.low.lat_deg < a.high.lat_deg) pairs.push_back(std::minmax(order[i], order[j]));
+      if (a.low.lat_deg < b.high.lat_deg && b.low.lat_deg < a.high.lat_deg)
+        pairs.push_back(std::minmax(order[i], order[j]));
     }
   }
   std::sort(pairs.begin(), pairs.end());

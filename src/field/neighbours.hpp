@@ -7,7 +7,8 @@
 
 namespace selion {
 
-/// Notes on fields that are the same as, or overlap, an earlier one of the file by more than 1 % and a metre's width.
+/// Notes on fields that are the same as, or overlap, an earlier one of the file by more than 1 % and a
+/// metre's width.
 void note_neighbours(std::vector<Field>& fields);
 
 }  // namespace selion

@@ -42,14 +42,16 @@ std::vector<LonLatPolygon> bands(const std::vector<LonLat>& line, double width_m
 
 }  // namespace
 
-std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key, const std::string& where) {
+std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key,
+                                       const std::string& where) {
   const auto found = raw.attributes.find(key);
   if (found == raw.attributes.end()) return std::nullopt;
   const std::string& text = found->second;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value))
-    throw InputError{where + ": its " + key + " is '" + text.substr(0, 40) + "', but must be a positive number of metres"};
+    throw InputError{where + ": its " + key + " is '" + text.substr(0, 40) +
+                     "', but must be a positive number of metres"};
   return value;
 }
 
@@ -58,7 +60,9 @@ std::vector<LonLatPolygon> outlines(const Located& feature, const RawFeature& ra
   std::vector<LonLatPolygon> result = feature.polygons;
   const auto radius_m = metres_attribute(raw, "radius_m", where);
   if (!feature.points.empty() && !radius_m)
-    throw InputError{where + " is an obstacle given as a point: give its size as a property radius_m, or its outline as a polygon"};
+    throw InputError{where +
+                     " is an obstacle given as a point: give its size as a property radius_m, or its outline "
+                     "as a polygon"};
   for (const LonLat p : feature.points) result.push_back(circle(p, *radius_m));
   const double width_m = metres_attribute(raw, "width_m", where).value_or(kLine_m);
   for (const auto& line : feature.lines)

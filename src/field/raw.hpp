@@ -11,7 +11,8 @@
 
 namespace selion {
 
-/// What a file holds before anyone knows where on earth it lies: its own coordinates, x (easting, longitude) first.
+/// What a file holds before anyone knows where on earth it lies: its own coordinates, x (easting, longitude)
+/// first.
 struct RawPoint {
   double x = 0;
   double y = 0;
@@ -24,7 +25,7 @@ using RawRing = std::vector<RawPoint>;
 using RawPolygon = std::vector<RawRing>;
 
 struct RawFeature {
-  int number = 1;                        ///< in its layer, from 1
+  int number = 1;  ///< in its layer, from 1
   std::vector<RawPolygon> polygons;
   std::vector<std::vector<RawPoint>> lines;
   std::vector<RawPoint> points;
@@ -35,30 +36,32 @@ struct RawFeature {
 
 struct RawLayer {
   std::string name;
-  std::optional<std::string> crs;        ///< "EPSG:28992" or WKT, as PROJ takes it
-  bool crs_is_default = false;           ///< the format's own (WGS84), not said in the file: an option may replace it
+  std::optional<std::string> crs;  ///< "EPSG:28992" or WKT, as PROJ takes it
+  bool crs_is_default = false;  ///< the format's own (WGS84), not said in the file: an option may replace it
   std::vector<RawFeature> features;
 };
 
 struct RawFile {
-  std::string label;                     ///< what messages call it
-  std::string stem;                      ///< name of fields that have none
+  std::string label;  ///< what messages call it
+  std::string stem;   ///< name of fields that have none
   std::vector<RawLayer> layers;
-  bool layers_are_folders = false;       ///< KML: read together
+  bool layers_are_folders = false;  ///< KML: read together
   std::vector<std::string> notes;
 };
 
 RawFile read_json(const std::string& text, const std::string& label, const std::string& stem);
 /// Whether the text is GeoJSON by its first members; other JSON (TopoJSON, Esri) is for GDAL.
 bool is_geojson(const std::string& text);
-RawFile read_text(const std::string& text, const std::string& label, const std::string& stem, const ReadOptions& options);
+RawFile read_text(const std::string& text, const std::string& label, const std::string& stem,
+                  const ReadOptions& options);
 /// Any file that GDAL reads; zip archives are looked into.
 RawFile read_with_gdal(const std::filesystem::path& file, const std::string& label);
 
 /// @throws InputError for entities (they can blow up), ISOXML, and KML coordinates that are no numbers.
 /// @returns notes on what was repaired.
 std::vector<std::string> check_xml(const std::string& text, const std::string& label);
-/// Walks over the records of a .shp. @throws InputError naming the record that is cut off, too long or not finite.
+/// Walks over the records of a .shp. @throws InputError naming the record that is cut off, too long or not
+/// finite.
 void check_shapefile(const std::string& bytes, const std::string& label);
 
 std::string as_utf8(const std::string& text, bool& was_latin1);

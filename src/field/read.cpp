@@ -26,11 +26,13 @@ RawFile load(const std::filesystem::path& file, const ReadOptions& options, std:
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw InputError{label + " does not exist; check the name"};
   if (std::filesystem::is_directory(file, error)) return read_with_gdal(file, label);
-  if (std::filesystem::file_size(file, error) == 0 && !error) throw InputError{label + " is empty; export it anew"};
+  if (std::filesystem::file_size(file, error) == 0 && !error)
+    throw InputError{label + " is empty; export it anew"};
   const std::string ending = lower(file.extension().string());
   const auto is = [&ending](const auto&... endings) { return ((ending == endings) || ...); };
   const std::string stem = file.stem().string();
-  if (is(".csv", ".txt", ".tsv", ".xyz", ".dat", ".pts")) return read_text(file_bytes(label, label), label, stem, options);
+  if (is(".csv", ".txt", ".tsv", ".xyz", ".dat", ".pts"))
+    return read_text(file_bytes(label, label), label, stem, options);
   if (is(".geojson", ".json")) {
     const std::string text = file_bytes(label, label);
     if (is_geojson(text)) return read_json(text, label, stem);
@@ -44,7 +46,7 @@ bool has_polygons(const RawFeature& feature) { return !feature.polygons.empty();
 struct Source {
   const RawFile* file = nullptr;
   const RawLayer* layer = nullptr;
-  std::optional<Role> role;   ///< of the whole layer
+  std::optional<Role> role;  ///< of the whole layer
   std::optional<Georeference> georeference;
 
   [[nodiscard]] std::string where() const {
@@ -68,31 +70,37 @@ RawPoint first_position(const RawLayer& layer) {
 }
 
 /// What the file says, else the option. @throws InputError where neither says, or both and differently.
-Georeference georeference_of(const Source& source, const std::optional<std::string>& option, std::vector<std::string>& notes) {
+Georeference georeference_of(const Source& source, const std::optional<std::string>& option,
+                             std::vector<std::string>& notes) {
   const RawLayer& layer = *source.layer;
   if (!layer.crs && !option) {
     const RawPoint p = first_position(layer);
     const bool degrees = std::abs(p.x) <= 180 && std::abs(p.y) <= 90;
-    throw InputError{source.where() + " has no CRS; its first position is " + shortest(p.x) + ", " + shortest(p.y) +
+    throw InputError{source.where() + " has no CRS; its first position is " + shortest(p.x) + ", " +
+                     shortest(p.y) +
                      (degrees ? ": give --crs EPSG:4326 if these are WGS84 longitude and latitude"
                               : ": give the CRS it is in, such as --crs EPSG:25832")};
   }
   if (!option || (layer.crs && !layer.crs_is_default)) {
     Georeference own{*layer.crs, source.where()};
     if (option && !same_crs(*layer.crs, *option))
-      throw InputError{source.where() + " is in " + own.name() + ", but --crs says " + *option + "; leave --crs out, or correct the file"};
+      throw InputError{source.where() + " is in " + own.name() + ", but --crs says " + *option +
+                       "; leave --crs out, or correct the file"};
     return own;
   }
   Georeference given{*option, "--crs " + *option};
-  if (layer.crs) notes.push_back(source.where() + " names no CRS, and is read as " + given.name() + " as --crs says");
+  if (layer.crs)
+    notes.push_back(source.where() + " names no CRS, and is read as " + given.name() + " as --crs says");
   return given;
 }
 
 /// Layers whose every polygon is far larger than a field (a data set's extent) hold no fields.
 bool holds_fields(Source& source) {
-  return std::any_of(source.layer->features.begin(), source.layer->features.end(), [&](const RawFeature& feature) {
-    return has_polygons(feature) && source.role_of(feature) == Role::field && !implausibly_large(feature, *source.georeference);
-  });
+  return std::any_of(source.layer->features.begin(), source.layer->features.end(),
+                     [&](const RawFeature& feature) {
+                       return has_polygons(feature) && source.role_of(feature) == Role::field &&
+                              !implausibly_large(feature, *source.georeference);
+                     });
 }
 
 [[noreturn]] void no_polygons(const RawFile& file) {
@@ -112,7 +120,8 @@ std::string layer_names(const std::vector<Source>& sources) {
 }
 
 /// The layers to read: those named for a role, and the one (of folders: all) that holds fields.
-std::vector<Source> sources_of(const RawFile& file, const ReadOptions& options, std::vector<std::string>& notes) {
+std::vector<Source> sources_of(const RawFile& file, const ReadOptions& options,
+                               std::vector<std::string>& notes) {
   std::vector<Source> with_fields;
   std::vector<Source> roles;
   for (const RawLayer& layer : file.layers) {
@@ -120,13 +129,17 @@ std::vector<Source> sources_of(const RawFile& file, const ReadOptions& options, 
     const bool wanted = options.layer == layer.name;
     if (wanted || file.layers.size() == 1) source.role.reset();
     const bool polygons = std::any_of(layer.features.begin(), layer.features.end(), has_polygons);
-    if (source.role && !layer.features.empty()) roles.push_back(std::move(source));
-    else if (polygons && (wanted || !options.layer)) with_fields.push_back(std::move(source));
+    if (source.role && !layer.features.empty())
+      roles.push_back(std::move(source));
+    else if (polygons && (wanted || !options.layer))
+      with_fields.push_back(std::move(source));
   }
-  if (options.layer && std::none_of(file.layers.begin(), file.layers.end(), [&](const RawLayer& layer) { return layer.name == *options.layer; })) {
+  if (options.layer && std::none_of(file.layers.begin(), file.layers.end(),
+                                    [&](const RawLayer& layer) { return layer.name == *options.layer; })) {
     std::vector<std::string> names;
     for (const RawLayer& layer : file.layers) names.push_back(layer.name);
-    throw InputError{file.label + " has no layer '" + *options.layer + "'; it has " + nearest_names(names, *options.layer)};
+    throw InputError{file.label + " has no layer '" + *options.layer + "'; it has " +
+                     nearest_names(names, *options.layer)};
   }
   if (with_fields.empty()) no_polygons(file);
   for (Source& source : with_fields) source.georeference.emplace(georeference_of(source, options.crs, notes));
@@ -134,12 +147,18 @@ std::vector<Source> sources_of(const RawFile& file, const ReadOptions& options, 
   if (with_fields.size() > 1) {
     std::vector<Source> kept;
     for (Source& source : with_fields) {
-      if (holds_fields(source)) kept.push_back(std::move(source));
-      else notes.push_back(source.where() + " holds no field (extents more than 100 km across, or no boundaries); skipped");
+      if (holds_fields(source))
+        kept.push_back(std::move(source));
+      else
+        notes.push_back(source.where() +
+                        " holds no field (extents more than 100 km across, or no boundaries); skipped");
     }
     if (kept.size() > 1 && !file.layers_are_folders)
-      throw InputError{file.label + " has several layers with polygons: " + layer_names(kept) + "; choose one with --layer"};
-    if (kept.empty()) throw InputError{file.label + " has only polygons more than 100 km across; give one with field boundaries"};
+      throw InputError{file.label + " has several layers with polygons: " + layer_names(kept) +
+                       "; choose one with --layer"};
+    if (kept.empty())
+      throw InputError{file.label +
+                       " has only polygons more than 100 km across; give one with field boundaries"};
     with_fields = std::move(kept);
   }
   std::move(roles.begin(), roles.end(), std::back_inserter(with_fields));
@@ -152,27 +171,34 @@ struct Extras {
   std::vector<Gate> gates;
 };
 
-void add_extra(const RawFeature& raw, Role role, const std::string& where, Source& source, const ReadOptions& options,
-               Extras& into, std::vector<std::string>& notes) {
+void add_extra(const RawFeature& raw, Role role, const std::string& where, Source& source,
+               const ReadOptions& options, Extras& into, std::vector<std::string>& notes) {
   const Located at = located(raw, *source.georeference, where, options.accept_datum_error_m);
   std::copy(at.notes.begin(), at.notes.end(), std::back_inserter(notes));
   const std::string name = name_of(raw).value_or("");
   if (role == Role::gate) {
     if (at.points.empty() || !at.polygons.empty() || !at.lines.empty())
-      throw InputError{where + " is a gate, but no point; give each gate as one point, with its width as a property width_m"};
+      throw InputError{
+          where +
+          " is a gate, but no point; give each gate as one point, with its width as a property width_m"};
     const auto width_m = metres_attribute(raw, "width_m", where);
     for (const LonLat p : at.points) into.gates.push_back({name, p, width_m});
     return;
   }
-  const ObstacleKind kind = role == Role::water ? ObstacleKind::water : role == Role::no_go ? ObstacleKind::no_go : ObstacleKind::obstacle;
-  for (LonLatPolygon& area : outlines(at, raw, where)) into.obstacles.push_back({name, kind, std::move(area)});
+  const ObstacleKind kind = role == Role::water   ? ObstacleKind::water
+                            : role == Role::no_go ? ObstacleKind::no_go
+                                                  : ObstacleKind::obstacle;
+  for (LonLatPolygon& area : outlines(at, raw, where))
+    into.obstacles.push_back({name, kind, std::move(area)});
 }
 
-bool is_empty(const RawFeature& raw) { return raw.polygons.empty() && raw.lines.empty() && raw.points.empty(); }
+bool is_empty(const RawFeature& raw) {
+  return raw.polygons.empty() && raw.lines.empty() && raw.points.empty();
+}
 
 /// A file of nothing but obstacles, or gates.
-void read_extras(const std::filesystem::path& path, Role role, const ReadOptions& options, std::istream& standard_input,
-                 Extras& into, std::vector<std::string>& notes) {
+void read_extras(const std::filesystem::path& path, Role role, const ReadOptions& options,
+                 std::istream& standard_input, Extras& into, std::vector<std::string>& notes) {
   const RawFile file = load(path, options, standard_input);
   std::copy(file.notes.begin(), file.notes.end(), std::back_inserter(notes));
   for (const RawLayer& layer : file.layers) {
@@ -182,7 +208,9 @@ void read_extras(const std::filesystem::path& path, Role role, const ReadOptions
     source.georeference.emplace(georeference_of(source, options.crs, notes));
     for (const RawFeature& feature : layer.features) {
       const Role own = source.role_of(feature);
-      if (!is_empty(feature)) add_extra(feature, own == Role::field ? role : own, source.where(feature), source, options, into, notes);
+      if (!is_empty(feature))
+        add_extra(feature, own == Role::field ? role : own, source.where(feature), source, options, into,
+                  notes);
     }
   }
 }
@@ -192,7 +220,8 @@ bool near(const LonLatBox& box, const LonLatBox& other) {
   const Point low = tangent(other.low, box.low);
   const Point high = low + tangent(other.high, other.low);
   const Point far = tangent(box.high, box.low);
-  return low.x_m <= far.x_m + kReach_m && high.x_m >= -kReach_m && low.y_m <= far.y_m + kReach_m && high.y_m >= -kReach_m;
+  return low.x_m <= far.x_m + kReach_m && high.x_m >= -kReach_m && low.y_m <= far.y_m + kReach_m &&
+         high.y_m >= -kReach_m;
 }
 
 void attach(const Extras& extras, Field& field) {
@@ -209,7 +238,8 @@ struct Candidate {
   Source* source = nullptr;
 };
 
-std::optional<Field> field_of(const Candidate& candidate, std::string name, const ReadOptions& options, std::vector<std::string>& notes) {
+std::optional<Field> field_of(const Candidate& candidate, std::string name, const ReadOptions& options,
+                              std::vector<std::string>& notes) {
   Source& source = *candidate.source;
   const std::string where = source.where(*candidate.raw);
   Located at = located(*candidate.raw, *source.georeference, where, options.accept_datum_error_m);
@@ -227,7 +257,8 @@ std::optional<Field> field_of(const Candidate& candidate, std::string name, cons
   field.datum_accuracy_m = at.datum_accuracy_m;
   field.attributes = candidate.raw->attributes;
   field.notes = std::move(at.notes);
-  if (!at.points.empty() || !at.lines.empty()) field.notes.push_back(where + ": its points and lines are skipped");
+  if (!at.points.empty() || !at.lines.empty())
+    field.notes.push_back(where + ": its points and lines are skipped");
   return field;
 }
 
@@ -237,30 +268,37 @@ struct Sorted {
 };
 
 /// Features by role; those that no field can be made of are skipped with a note.
-Sorted sorted_by_role(std::vector<Source>& sources, const ReadOptions& options, std::vector<std::string>& notes) {
+Sorted sorted_by_role(std::vector<Source>& sources, const ReadOptions& options,
+                      std::vector<std::string>& notes) {
   Sorted sorted;
   for (Source& source : sources) {
     std::string skipped;
     for (const RawFeature& feature : source.layer->features) {
       const Role role = source.role_of(feature);
-      if (role != Role::field && !is_empty(feature)) add_extra(feature, role, source.where(feature), source, options, sorted.extras, notes);
-      else if (has_polygons(feature)) sorted.candidates.push_back({&feature, &source});
-      else skipped += (skipped.empty() ? "" : ", ") + std::to_string(feature.number);
+      if (role != Role::field && !is_empty(feature))
+        add_extra(feature, role, source.where(feature), source, options, sorted.extras, notes);
+      else if (has_polygons(feature))
+        sorted.candidates.push_back({&feature, &source});
+      else
+        skipped += (skipped.empty() ? "" : ", ") + std::to_string(feature.number);
     }
-    if (!skipped.empty()) notes.push_back(source.where() + ": skipped, having no polygon: feature " + skipped);
+    if (!skipped.empty())
+      notes.push_back(source.where() + ": skipped, having no polygon: feature " + skipped);
   }
   return sorted;
 }
 
 }  // namespace
 
-std::vector<Field> read_fields(const std::filesystem::path& path, const ReadOptions& options, std::istream& standard_input) {
+std::vector<Field> read_fields(const std::filesystem::path& path, const ReadOptions& options,
+                               std::istream& standard_input) {
   const RawFile file = load(path, options, standard_input);
   std::vector<std::string> notes = file.notes;
   std::vector<Source> sources = sources_of(file, options, notes);
   Sorted sorted = sorted_by_role(sources, options, notes);
   if (sorted.candidates.empty()) no_polygons(file);
-  if (options.obstacles) read_extras(*options.obstacles, Role::obstacle, options, standard_input, sorted.extras, notes);
+  if (options.obstacles)
+    read_extras(*options.obstacles, Role::obstacle, options, standard_input, sorted.extras, notes);
   if (options.gates) read_extras(*options.gates, Role::gate, options, standard_input, sorted.extras, notes);
 
   std::vector<const RawFeature*> features;
@@ -272,8 +310,11 @@ std::vector<Field> read_fields(const std::filesystem::path& path, const ReadOpti
 
   std::vector<Field> fields;
   for (const std::size_t i : wanted)
-    if (auto field = field_of(sorted.candidates[i], names[i], options, notes)) fields.push_back(std::move(*field));
-  if (fields.empty()) throw InputError{notes.empty() ? file.label + " holds no field" : notes.back() + "; give a file with field boundaries"};
+    if (auto field = field_of(sorted.candidates[i], names[i], options, notes))
+      fields.push_back(std::move(*field));
+  if (fields.empty())
+    throw InputError{notes.empty() ? file.label + " holds no field"
+                                   : notes.back() + "; give a file with field boundaries"};
   for (Field& field : fields) attach(sorted.extras, field);
   note_neighbours(fields);
   fields.front().notes.insert(fields.front().notes.begin(), notes.begin(), notes.end());

@@ -43,7 +43,9 @@ void collect(const OGRGeometry& geometry, bool swap, RawFeature& into) {
       into.polygons.push_back(std::move(polygon));
       return;
     }
-    case wkbLineString: into.lines.push_back(ring_of(*geometry.toLineString(), swap)); return;
+    case wkbLineString:
+      into.lines.push_back(ring_of(*geometry.toLineString(), swap));
+      return;
     case wkbPoint: {
       const RawPoint p{geometry.toPoint()->getX(), geometry.toPoint()->getY()};
       into.points.push_back(swap ? RawPoint{p.y, p.x} : p);
@@ -55,7 +57,8 @@ void collect(const OGRGeometry& geometry, bool swap, RawFeature& into) {
     case wkbGeometryCollection:
       for (const auto* part : *geometry.toGeometryCollection()) collect(*part, swap, into);
       return;
-    default: into.notes.push_back(std::string{"a geometry of type "} + geometry.getGeometryName() + " is left out");
+    default:
+      into.notes.push_back(std::string{"a geometry of type "} + geometry.getGeometryName() + " is left out");
   }
 }
 
@@ -68,7 +71,8 @@ std::string text_of(const OGRFeature& feature, int i) {
 }
 
 void collect_attributes(const OGRFeature& feature, bool is_kml, RawFeature& into) {
-  constexpr std::array<std::string_view, 6> kKmlDrawing{"tessellate", "extrude", "visibility", "drawOrder", "icon", "altitudeMode"};
+  constexpr std::array<std::string_view, 6> kKmlDrawing{"tessellate", "extrude", "visibility",
+                                                        "drawOrder",  "icon",    "altitudeMode"};
   for (int i = 0; i < feature.GetFieldCount(); ++i) {
     if (feature.IsFieldSetAndNotNull(i) == FALSE) continue;
     const std::string name = feature.GetFieldDefnRef(i)->GetNameRef();
@@ -86,7 +90,8 @@ void collect_attributes(const OGRFeature& feature, bool is_kml, RawFeature& into
 std::optional<std::string> definition(const OGRSpatialReference* srs) {
   if (srs == nullptr || srs->IsEmpty()) return std::nullopt;
   const char* name = srs->GetName();
-  if (name != nullptr && std::string_view{name}.starts_with("Undefined ")) return std::nullopt;  // of GeoPackages
+  if (name != nullptr && std::string_view{name}.starts_with("Undefined "))
+    return std::nullopt;  // of GeoPackages
   OGRSpatialReference flat{*srs};
   flat.StripVertical();
   const auto code = [](const OGRSpatialReference& one) -> std::optional<std::string> {
@@ -131,28 +136,33 @@ RawLayer read_layer(OGRLayer& layer, bool is_kml) {
 
 /// GDAL's words, with its name of the file replaced by the user's.
 std::string in_our_words(std::string text, const std::string& path, const std::string& label) {
-  for (auto at = text.find(path); at != std::string::npos; at = text.find(path, at + label.size())) text.replace(at, path.size(), label);
+  for (auto at = text.find(path); at != std::string::npos; at = text.find(path, at + label.size()))
+    text.replace(at, path.size(), label);
   while (!text.empty() && (text.back() == '.' || text.back() == '\n')) text.pop_back();
   return text;
 }
 
 void throw_first(const GdalMessages& messages, const std::string& path, const std::string& label) {
   if (!messages.failures.empty())
-    throw InputError{label + " cannot be read: " + in_our_words(messages.failures.front(), path, label) + "; export it anew"};
+    throw InputError{label + " cannot be read: " + in_our_words(messages.failures.front(), path, label) +
+                     "; export it anew"};
 }
 
 /// Appends the layers of one data set.
 void read_dataset(const std::string& path, const std::string& label, RawFile& into) {
   GDALAllRegister();
   GdalMessages messages;
-  const std::unique_ptr<GDALDataset> dataset{GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR)};
+  const std::unique_ptr<GDALDataset> dataset{
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR)};
   if (!dataset) {
     throw_first(messages, path, label);
-    throw InputError{label + " is no vector file that GDAL reads; export the field as GeoJSON, KML or shapefile"};
+    throw InputError{label +
+                     " is no vector file that GDAL reads; export the field as GeoJSON, KML or shapefile"};
   }
   const std::string driver = dataset->GetDriverName();
   into.layers_are_folders = driver == "LIBKML" || driver == "KML";
-  for (OGRLayer* layer : dataset->GetLayers()) into.layers.push_back(read_layer(*layer, into.layers_are_folders));
+  for (OGRLayer* layer : dataset->GetLayers())
+    into.layers.push_back(read_layer(*layer, into.layers_are_folders));
   throw_first(messages, path, label);
   for (const std::string& warning : messages.warnings)
     if (!warning.starts_with("Non closed ring"))  // said with the ring's name when it is closed
@@ -164,7 +174,9 @@ std::string extension(const std::string& path) {
   return dot == std::string::npos || path[dot] == '/' ? "" : lower(path.substr(dot + 1));
 }
 
-std::string without_extension(const std::string& path) { return path.substr(0, path.size() - extension(path).size() - 1); }
+std::string without_extension(const std::string& path) {
+  return path.substr(0, path.size() - extension(path).size() - 1);
+}
 
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
@@ -177,7 +189,8 @@ std::optional<std::string> sibling(const std::string& path, const std::string& o
 }
 
 /// Restores a lost index in memory: GDAL would write it beside the file.
-void read_without_index(const std::string& path, const std::string& bytes, const std::string& label, RawFile& into) {
+void read_without_index(const std::string& path, const std::string& bytes, const std::string& label,
+                        RawFile& into) {
   MemoryFolder folder;
   std::array<std::string, 3> others;
   const std::array<const char*, 3> endings{"dbf", "prj", "cpg"};
@@ -203,8 +216,10 @@ void read_without_index(const std::string& path, const std::string& bytes, const
 void read_shapefile(const std::string& path, const std::string& label, RawFile& into) {
   const std::string bytes = file_bytes(path, label);
   check_shapefile(bytes, label);
-  if (sibling(path, "shx")) read_dataset(path, label, into);
-  else read_without_index(path, bytes, label, into);
+  if (sibling(path, "shx"))
+    read_dataset(path, label, into);
+  else
+    read_without_index(path, bytes, label, into);
   if (!sibling(path, "dbf")) into.notes.push_back(label + ": its .dbf is missing; fields have no attributes");
 }
 
@@ -239,7 +254,8 @@ std::vector<std::string> members(const std::string& archive, std::string_view en
   char** list = VSIReadDirRecursive(archive.c_str());
   std::vector<std::string> found;
   for (char** one = list; one != nullptr && *one != nullptr; ++one)
-    if (extension(*one) == ending && !file_name(*one).starts_with("._")) found.push_back(archive + "/" + *one);
+    if (extension(*one) == ending && !file_name(*one).starts_with("._"))
+      found.push_back(archive + "/" + *one);
   CSLDestroy(list);
   std::sort(found.begin(), found.end());
   return found;
@@ -261,7 +277,8 @@ void read_archive(const std::string& file, const std::string& label, RawFile& in
     }
     if (!found.empty()) return;
   }
-  throw InputError{label + " is an archive without a shapefile or another field file in it; check how it was packed"};
+  throw InputError{label +
+                   " is an archive without a shapefile or another field file in it; check how it was packed"};
 }
 
 }  // namespace

@@ -37,9 +37,11 @@ class SyntaxCheck : public nlohmann::json_sax<json> {
   bool parse_error(std::size_t position, const std::string& token, const json::exception& what) override {
     at = position;
     constexpr std::size_t kShown = 40;
-    error = std::string_view{what.what()}.find("number overflow") != std::string_view::npos ? "the number is not finite"
-                                                                                            : "this is not valid JSON";
-    if (!token.empty()) error += " near '" + token.substr(token.size() - std::min(kShown, token.size())) + "'";
+    error = std::string_view{what.what()}.find("number overflow") != std::string_view::npos
+                ? "the number is not finite"
+                : "this is not valid JSON";
+    if (!token.empty())
+      error += " near '" + token.substr(token.size() - std::min(kShown, token.size())) + "'";
     return false;
   }
 
@@ -57,10 +59,12 @@ json parsed(const std::string& text, const std::string& label) {
   if (!json::sax_parse(text, &check)) {
     const auto upto = text.begin() + static_cast<std::ptrdiff_t>(std::min(check.at, text.size()));
     const bool early = check.at >= text.size() && check.at > 0;
-    const std::string where = check.at == 0 ? ""
-                                            : " at line " + std::to_string(1 + std::count(text.begin(), upto, '\n')) +
-                                                  ", byte " + std::to_string(check.at);
-    throw InputError{label + where + ": " + (early ? "the JSON ends early" : check.error) + "; export the file anew as GeoJSON"};
+    const std::string where = check.at == 0
+                                  ? ""
+                                  : " at line " + std::to_string(1 + std::count(text.begin(), upto, '\n')) +
+                                        ", byte " + std::to_string(check.at);
+    throw InputError{label + where + ": " + (early ? "the JSON ends early" : check.error) +
+                     "; export the file anew as GeoJSON"};
   }
   return json::parse(text);
 }
@@ -83,21 +87,31 @@ class Geometry {
       return;
     }
     const json& coordinates = array(geometry, "coordinates");
-    if (type == "Polygon") polygon(coordinates);
-    else if (type == "MultiPolygon") for (const json& one : coordinates) polygon(one);
-    else if (type == "Point") into_.points.push_back(position(coordinates, ""));
-    else if (type == "MultiPoint") for (const json& one : coordinates) into_.points.push_back(position(one, ""));
-    else if (type == "LineString") into_.lines.push_back(positions(coordinates, ""));
-    else if (type == "MultiLineString") for (const json& one : coordinates) into_.lines.push_back(positions(one, ""));
-    else fail("'" + type + "' is no geometry type of GeoJSON");
+    if (type == "Polygon")
+      polygon(coordinates);
+    else if (type == "MultiPolygon")
+      for (const json& one : coordinates) polygon(one);
+    else if (type == "Point")
+      into_.points.push_back(position(coordinates, ""));
+    else if (type == "MultiPoint")
+      for (const json& one : coordinates) into_.points.push_back(position(one, ""));
+    else if (type == "LineString")
+      into_.lines.push_back(positions(coordinates, ""));
+    else if (type == "MultiLineString")
+      for (const json& one : coordinates) into_.lines.push_back(positions(one, ""));
+    else
+      fail("'" + type + "' is no geometry type of GeoJSON");
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw InputError{where_ + ": " + what + "; correct the file"}; }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError{where_ + ": " + what + "; correct the file"};
+  }
 
   const json& array(const json& object, const char* key) const {
     const auto found = object.find(key);
-    if (found == object.end() || !found->is_array()) fail(std::string{"its geometry has no array '"} + key + "'");
+    if (found == object.end() || !found->is_array())
+      fail(std::string{"its geometry has no array '"} + key + "'");
     return *found;
   }
 
@@ -105,7 +119,8 @@ class Geometry {
     const std::string part = ", part " + std::to_string(into_.polygons.size() + 1);
     if (!rings.is_array()) fail("its coordinates are nested too little for a polygon" + part);
     RawPolygon polygon;
-    for (const json& ring : rings) polygon.push_back(positions(ring, part + ", ring " + std::to_string(polygon.size() + 1)));
+    for (const json& ring : rings)
+      polygon.push_back(positions(ring, part + ", ring " + std::to_string(polygon.size() + 1)));
     if (!polygon.empty()) into_.polygons.push_back(std::move(polygon));
   }
 
@@ -113,13 +128,15 @@ class Geometry {
     if (!list.is_array()) fail("coordinates are missing" + where);
     std::vector<RawPoint> points;
     points.reserve(list.size());
-    for (const json& one : list) points.push_back(position(one, where + ", coordinate " + std::to_string(points.size() + 1)));
+    for (const json& one : list)
+      points.push_back(position(one, where + ", coordinate " + std::to_string(points.size() + 1)));
     return points;
   }
 
   RawPoint position(const json& list, const std::string& where) const {
     if (list.is_number()) fail("a list of positions has one level of brackets too few" + where);
-    if (!list.is_array() || list.size() < 2) fail("a position needs two numbers, longitude and latitude" + where);
+    if (!list.is_array() || list.size() < 2)
+      fail("a position needs two numbers, longitude and latitude" + where);
     if (!list[0].is_number() || !list[1].is_number())
       fail("a position needs two numbers, and has " + list.dump().substr(0, 60) + where);
     return {list[0].get<double>(), list[1].get<double>()};
@@ -135,14 +152,16 @@ void read_attributes(const json& feature, RawFeature& into) {
     into.attributes[key] = value.is_string() ? value.get<std::string>() : value.dump();
     into.attribute_order.push_back(key);
   };
-  if (const auto properties = feature.find("properties"); properties != feature.end() && properties->is_object())
+  if (const auto properties = feature.find("properties");
+      properties != feature.end() && properties->is_object())
     for (const auto& [key, value] : properties->items()) add(key, value);
   if (const auto id = feature.find("id"); id != feature.end()) add("id", *id);
 }
 
 RawFeature read_feature(const json& feature, int number, const std::string& label) {
   const std::string where = label + ", feature " + std::to_string(number);
-  if (!feature.is_object() || member(feature, "type") != "Feature") throw InputError{where + ": it is no GeoJSON Feature; correct the file"};
+  if (!feature.is_object() || member(feature, "type") != "Feature")
+    throw InputError{where + ": it is no GeoJSON Feature; correct the file"};
   RawFeature raw;
   raw.number = number;
   read_attributes(feature, raw);
@@ -158,8 +177,11 @@ void read_crs(const json& root, RawLayer& layer, const std::string& label) {
   const auto crs = root.find("crs");
   if (crs == root.end() || crs->is_null()) return;
   const auto properties = crs->is_object() ? crs->find("properties") : crs->end();
-  if (!crs->is_object() || member(*crs, "type") != "name" || properties == crs->end() || member(*properties, "name").empty())
-    throw InputError{label + ": its 'crs' member names no CRS; remove it where the coordinates are WGS84 longitude and latitude"};
+  if (!crs->is_object() || member(*crs, "type") != "name" || properties == crs->end() ||
+      member(*properties, "name").empty())
+    throw InputError{
+        label +
+        ": its 'crs' member names no CRS; remove it where the coordinates are WGS84 longitude and latitude"};
   layer.crs = member(*properties, "name");
   layer.crs_is_default = false;
   if (layer.crs->find("CRS84") != std::string::npos) layer.crs = "OGC:CRS84";
@@ -168,9 +190,11 @@ void read_crs(const json& root, RawLayer& layer, const std::string& label) {
 }  // namespace
 
 bool is_geojson(const std::string& text) {
-  // TopoJSON and Esri JSON start with members of their own; whatever else is JSON is held to be meant as GeoJSON.
+  // TopoJSON and Esri JSON start with members of their own; whatever else is JSON is held to be meant as
+  // GeoJSON.
   const std::string_view start = std::string_view{text}.substr(0, 2000);
-  constexpr std::array<std::string_view, 4> kOthers{"\"Topology\"", "\"esriGeometry", "\"geometryType\"", "\"spatialReference\""};
+  constexpr std::array<std::string_view, 4> kOthers{"\"Topology\"", "\"esriGeometry", "\"geometryType\"",
+                                                    "\"spatialReference\""};
   return std::none_of(kOthers.begin(), kOthers.end(),
                       [start](std::string_view mark) { return start.find(mark) != std::string_view::npos; });
 }
@@ -186,13 +210,16 @@ RawFile read_json(const std::string& bytes, const std::string& label, const std:
   const json root = parsed(text, label);
   const std::string type = root.is_object() ? member(root, "type") : std::string{};
   RawLayer layer;
-  if (type.empty()) throw InputError{label + " is JSON, but not GeoJSON: it has no 'type'; export the field as GeoJSON"};
+  if (type.empty())
+    throw InputError{label + " is JSON, but not GeoJSON: it has no 'type'; export the field as GeoJSON"};
   layer.name = member(root, "name").empty() || type != "FeatureCollection" ? stem : member(root, "name");
   read_crs(root, layer, label);
   if (type == "FeatureCollection") {
     const auto features = root.find("features");
-    if (features == root.end() || !features->is_array()) throw InputError{label + ": the FeatureCollection has no array 'features'; correct the file"};
-    for (const json& one : *features) layer.features.push_back(read_feature(one, static_cast<int>(layer.features.size()) + 1, label));
+    if (features == root.end() || !features->is_array())
+      throw InputError{label + ": the FeatureCollection has no array 'features'; correct the file"};
+    for (const json& one : *features)
+      layer.features.push_back(read_feature(one, static_cast<int>(layer.features.size()) + 1, label));
   } else if (type == "Feature") {
     layer.features.push_back(read_feature(root, 1, label));
   } else {

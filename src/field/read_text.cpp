@@ -17,7 +17,8 @@ constexpr std::string_view kBlanks = " \t\r\"'";
 
 std::string_view trimmed(std::string_view text) {
   const auto from = text.find_first_not_of(kBlanks);
-  return from == std::string_view::npos ? std::string_view{} : text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
+  return from == std::string_view::npos ? std::string_view{}
+                                        : text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
 }
 
 std::vector<std::string_view> split(std::string_view line, std::string_view separators) {
@@ -55,18 +56,24 @@ std::optional<Ordinate> ordinate(std::string_view text) {
   double sign = 1;
   const auto take_letter = [&](char letter) {
     const auto upper = static_cast<char>(letter >= 'a' && letter <= 'z' ? letter - 'a' + 'A' : letter);
-    if (upper == 'N' || upper == 'S') result.axis = Axis::lat;
-    else if (upper == 'E' || upper == 'W') result.axis = Axis::lon;
-    else return false;
+    if (upper == 'N' || upper == 'S')
+      result.axis = Axis::lat;
+    else if (upper == 'E' || upper == 'W')
+      result.axis = Axis::lon;
+    else
+      return false;
     if (upper == 'S' || upper == 'W') sign = -1;
     return true;
   };
   std::string_view rest = trimmed(token);
-  if (!rest.empty() && take_letter(rest.front())) rest = trimmed(rest.substr(1));
-  else if (!rest.empty() && take_letter(rest.back())) rest = trimmed(rest.substr(0, rest.size() - 1));
+  if (!rest.empty() && take_letter(rest.front()))
+    rest = trimmed(rest.substr(1));
+  else if (!rest.empty() && take_letter(rest.back()))
+    rest = trimmed(rest.substr(0, rest.size() - 1));
   if (rest.starts_with('+')) rest.remove_prefix(1);
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), result.value);
-  if (error != std::errc{} || end != rest.data() + rest.size() || !std::isfinite(result.value)) return std::nullopt;
+  if (error != std::errc{} || end != rest.data() + rest.size() || !std::isfinite(result.value))
+    return std::nullopt;
   result.value *= sign;
   return result;
 }
@@ -94,7 +101,8 @@ std::optional<Columns> header(const std::vector<std::string_view>& names) {
 
 class TextReader {
  public:
-  TextReader(std::string label, const ReadOptions& options) : label_{std::move(label)}, degrees_{!options.crs} {
+  TextReader(std::string label, const ReadOptions& options)
+      : label_{std::move(label)}, degrees_{!options.crs} {
     if (options.axis == AxisOrder::latlon) columns_ = {1, 0};
   }
 
@@ -114,7 +122,8 @@ class TextReader {
 
   RawPolygon finish() {
     end_ring();
-    if (polygon_.empty()) throw InputError{label_ + " holds no coordinates; give one 'longitude, latitude' a line"};
+    if (polygon_.empty())
+      throw InputError{label_ + " holds no coordinates; give one 'longitude, latitude' a line"};
     return std::move(polygon_);
   }
 
@@ -125,7 +134,10 @@ class TextReader {
 
   void end_ring() {
     if (ring_.empty()) return;
-    if (!(ring_.front() == ring_.back())) ring_.push_back(ring_.front());  // nobody types the first position twice
+    if (ring_.size() < 3)
+      fail("a ring of " + std::to_string(ring_.size()) + " positions ends here; it needs 3 at least");
+    if (!(ring_.front() == ring_.back()))
+      ring_.push_back(ring_.front());  // nobody types the first position twice
     polygon_.push_back(std::move(ring_));
     ring_.clear();
   }
@@ -138,10 +150,13 @@ class TextReader {
 
   RawPoint position(const std::vector<std::string_view>& tokens) const {
     if (tokens.size() <= std::max(columns_.lon, columns_.lat))
-      fail("two numbers are needed, longitude and latitude in decimal degrees, such as '9.8876350, 56.4645152'");
-    const bool decimal_commas = tokens.size() == 4 && std::all_of(tokens.begin(), tokens.end(), [](std::string_view token) {
-      return token.find_first_not_of("0123456789-+") == std::string_view::npos;
-    });
+      fail(
+          "two numbers are needed, longitude and latitude in decimal degrees, such as '9.8876350, "
+          "56.4645152'");
+    const bool decimal_commas =
+        tokens.size() == 4 && std::all_of(tokens.begin(), tokens.end(), [](std::string_view token) {
+          return token.find_first_not_of("0123456789-+") == std::string_view::npos;
+        });
     if (decimal_commas) fail("decimal commas need semicolons or tabs between the numbers");
     auto lon = number(tokens[columns_.lon]);
     auto lat = number(tokens[columns_.lat]);
@@ -153,14 +168,18 @@ class TextReader {
 
   Ordinate number(std::string_view token) const {
     const auto found = ordinate(token);
-    if (!found) fail("'" + std::string{token.substr(0, 40)} + "' is no number in decimal degrees; correct it, or put '#' before a comment");
+    if (!found)
+      fail("'" + std::string{token.substr(0, 40)} +
+           "' is no number in decimal degrees; correct it, or put '#' before a comment");
     return *found;
   }
 
   void check_range(double lon, double lat) const {
     if (std::abs(lat) > 90)
-      fail("latitude " + shortest(lat) + " is outside -90 to 90; are longitude and latitude swapped (--axis latlon)?");
-    if (std::abs(lon) > 180) fail("longitude " + shortest(lon) + " is outside -180 to 180; for metres give their --crs EPSG:CODE");
+      fail("latitude " + shortest(lat) +
+           " is outside -90 to 90; are longitude and latitude swapped (--axis latlon)?");
+    if (std::abs(lon) > 180)
+      fail("longitude " + shortest(lon) + " is outside -180 to 180; for metres give their --crs EPSG:CODE");
   }
 
   std::string label_;
@@ -174,8 +193,10 @@ class TextReader {
 
 }  // namespace
 
-RawFile read_text(const std::string& bytes, const std::string& label, const std::string& stem, const ReadOptions& options) {
-  if (bytes.find('\0') != std::string::npos) throw InputError{label + " is no text file; give one 'longitude, latitude' a line"};
+RawFile read_text(const std::string& bytes, const std::string& label, const std::string& stem,
+                  const ReadOptions& options) {
+  if (bytes.find('\0') != std::string::npos)
+    throw InputError{label + " is no text file; give one 'longitude, latitude' a line"};
   TextReader reader{label, options};
   std::string_view rest = bytes;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "selion/core/format.hpp"
+
 namespace selion {
 namespace {
 
@@ -27,21 +29,14 @@ std::size_t edits(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> buffer{};  // 1e308 has 309 digits before the point
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals).ptr;
-  return {buffer.data(), end};
-}
-
 std::string shortest(double value) {
   std::array<char, 32> buffer{};
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
 std::string place(LonLat at) {
-  return fixed(std::abs(at.lon_deg), 7) + (at.lon_deg < 0 ? " W, " : " E, ") + fixed(std::abs(at.lat_deg), 7) +
-         (at.lat_deg < 0 ? " S" : " N");
+  return fixed(std::abs(at.lon_deg), 7) + (at.lon_deg < 0 ? " W, " : " E, ") +
+         fixed(std::abs(at.lat_deg), 7) + (at.lat_deg < 0 ? " S" : " N");
 }
 
 std::string lower(std::string_view text) {
@@ -58,7 +53,8 @@ std::string nearest_names(std::vector<std::string> names, std::string_view wante
     return edits(lower(a), target) < edits(lower(b), target);
   });
   std::string list;
-  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i) list += (i == 0 ? "'" : ", '") + names[i] + "'";
+  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i)
+    list += (i == 0 ? "'" : ", '") + names[i] + "'";
   return names.size() > kMost ? list + ", ..." : list;
 }
 

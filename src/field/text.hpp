@@ -9,8 +9,6 @@
 
 namespace selion {
 
-/// With a fixed number of decimals, the same in every locale.
-std::string fixed(double value, int decimals);
 /// The shortest text that reads back as the same double.
 std::string shortest(double value);
 /// "8.1234567 E, 54.1234567 N": a place that a map takes.
