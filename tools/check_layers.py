@@ -29,7 +29,7 @@ THIRD_PARTY = {
     r"Eigen/": {"motion", "sim"},
     r"nlopt\.h": {"motion", "layout"},
     r"gdal|ogr|cpl_": {"field", "verify"},
-    r"proj\.h$": {"field", "planfile", "verify"},
+    r"proj\.h$": {"field", "planfile", "verify", "output"},
     r"nlohmann/": {"field", "planfile"},
     r"opencv2/": {"sim"},
     r"toml\+\+/": {"plan"},

@@ -16,7 +16,7 @@ wanted='g++ cmake ninja-build pkg-config ccache
 print_only=
 for option; do
   case $option in
-    --test) wanted="$wanted catch2 python3" ;;
+    --test) wanted="$wanted catch2 libpugixml-dev poppler-utils python3" ;;
     --lint) wanted="$wanted clang-format clang-tidy clang-tools python3" ;;
     --bench) wanted="$wanted libbenchmark-dev" ;;
     --print) print_only=yes ;;
