@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "selion/core/json_writer.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 
@@ -9,29 +11,39 @@
 namespace selion {
 namespace {
 
-bool between(unsigned char byte, int low, int high) { return byte >= low && byte <= high; }
+/// A row of the Unicode Standard's table 3-7: first bytes, how many bytes, and what the second one may be.
+struct WellFormed {
+  unsigned char first_low, first_high;
+  std::size_t length;
+  unsigned char second_low, second_high;
+};
 
-/// The length of the well-formed character that `text` starts with (RFC 3629, section 4), 0 where there is
-/// none.
+constexpr auto kWellFormed = std::to_array<WellFormed>({
+    {0x00, 0x7F, 1, 0, 0},
+    {0xC2, 0xDF, 2, 0x80, 0xBF},
+    {0xE0, 0xE0, 3, 0xA0, 0xBF},
+    {0xE1, 0xEC, 3, 0x80, 0xBF},
+    {0xED, 0xED, 3, 0x80, 0x9F},
+    {0xEE, 0xEF, 3, 0x80, 0xBF},
+    {0xF0, 0xF0, 4, 0x90, 0xBF},
+    {0xF1, 0xF3, 4, 0x80, 0xBF},
+    {0xF4, 0xF4, 4, 0x80, 0x8F},
+});
+
+bool between(char character, unsigned char low, unsigned char high) {
+  const auto byte = static_cast<unsigned char>(character);
+  return byte >= low && byte <= high;
+}
+
+/// The length of the well-formed UTF-8 character that `text` starts with, 0 where there is none.
 std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : static_cast<unsigned char>(0);
-  };
-  const auto tail = [&](std::size_t i) { return between(byte(i), 0x80, 0xBF); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  if (between(first, 0xC2, 0xDF)) return tail(1) ? 2 : 0;
-  if (between(first, 0xE0, 0xEF)) {
-    const int low = first == 0xE0 ? 0xA0 : 0x80;
-    const int high = first == 0xED ? 0x9F : 0xBF;  // no surrogates
-    return between(byte(1), low, high) && tail(2) ? 3 : 0;
-  }
-  if (between(first, 0xF0, 0xF4)) {
-    const int low = first == 0xF0 ? 0x90 : 0x80;
-    const int high = first == 0xF4 ? 0x8F : 0xBF;  // up to U+10FFFF
-    return between(byte(1), low, high) && tail(2) && tail(3) ? 4 : 0;
-  }
-  return 0;
+  const auto row = std::ranges::find_if(
+      kWellFormed, [&](const WellFormed& r) { return between(text.front(), r.first_low, r.first_high); });
+  if (row == kWellFormed.end() || text.size() < row->length) return 0;
+  if (row->length == 1) return 1;
+  const bool rest =
+      std::ranges::all_of(text.substr(2, row->length - 2), [](char c) { return between(c, 0x80, 0xBF); });
+  return rest && between(text[1], row->second_low, row->second_high) ? row->length : 0;
 }
 
 void append_control(std::string& out, char control) {

@@ -39,7 +39,7 @@ Facts facts_of(const Plan& plan, const Job& job) {
 template <class Text>
 std::string per_block(const Facts& facts, const Text& text) {
   if (facts.planned.empty()) return "none";
-  const std::string first = text(facts.planned.front());
+  std::string first = text(facts.planned.front());
   const auto is_first = [&](const BlockReport& block) { return text(block) == first; };
   if (std::ranges::all_of(facts.planned, is_first)) return first;
   std::string out;

@@ -120,10 +120,9 @@ struct JsonDocument::Held {
   Json root;
 };
 
-JsonDocument::JsonDocument(const std::string& text, const std::string& where)
-    : held_{std::make_unique<Held>()}, where_{where} {
+JsonDocument::JsonDocument(const std::string& text, const std::string& where) : where_{where} {
   try {
-    held_->root = Json::parse(text);
+    held_ = std::make_unique<Held>(Held{Json::parse(text)});
   } catch (const Json::parse_error& error) {
     const std::string end = error.byte > text.size() ? " (the end of the file: it is cut short)" : "";
     throw InputError{where + ": byte " + std::to_string(error.byte) + end +

@@ -52,6 +52,8 @@ class JsonDocument {
   JsonDocument(const std::string& text, const std::string& where);
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
+  JsonDocument(JsonDocument&&) = delete;
+  JsonDocument& operator=(JsonDocument&&) = delete;
   ~JsonDocument();
 
   [[nodiscard]] JsonNode root() const;

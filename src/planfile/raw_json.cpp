@@ -20,18 +20,22 @@ std::size_t after_string(std::string_view json, std::size_t at) {
   return std::min(at + 1, json.size());
 }
 
-std::size_t after_value(std::string_view json, std::size_t at) {
+/// `at` is on the opening bracket or brace.
+std::size_t after_brackets(std::string_view json, std::size_t at) {
   int depth = 0;
-  while (at < json.size()) {
-    const char c = json[at];
-    const bool closing = c == '}' || c == ']';
-    if (depth == 0 && (closing || c == ',' || kSpace.find(c) != std::string_view::npos)) return at;
-    if (c == '{' || c == '[') ++depth;
-    if (closing) --depth;
-    at = c == '"' ? after_string(json, at) : at + 1;
-    if (depth == 0 && (closing || c == '"')) return at;
-  }
+  do {
+    if (json[at] == '{' || json[at] == '[') ++depth;
+    if (json[at] == '}' || json[at] == ']') --depth;
+    at = json[at] == '"' ? after_string(json, at) : at + 1;
+  } while (depth > 0 && at < json.size());
   return at;
+}
+
+std::size_t after_value(std::string_view json, std::size_t at) {
+  if (at >= json.size()) return json.size();
+  if (json[at] == '"') return after_string(json, at);
+  if (json[at] == '{' || json[at] == '[') return after_brackets(json, at);
+  return std::min(json.find_first_of(",]} \t\r\n", at), json.size());
 }
 
 }  // namespace
