@@ -9,11 +9,27 @@
 #include "selion/core/format.hpp"
 #include "selion/field/frame.hpp"
 #include "selion/layout/layout.hpp"
+#include "selion/layout/zones.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/route/route.hpp"
 
 namespace selion {
 namespace {
+
+/// The blocks cut where the machine cannot pass, numbered anew.
+Blocks for_machine(Blocks cleaned, const Machine& machine) {
+  std::vector<Block> zones;
+  for (const Block& block : cleaned.blocks) {
+    const std::vector<Block> parts = zones_of(block, machine);
+    if (parts.size() > 1)
+      cleaned.notes.push_back("Block " + std::to_string(block.number) + " falls into " + std::to_string(parts.size()) +
+                              " blocks: the necks between them are too narrow for the machine at its full width.");
+    zones.insert(zones.end(), parts.begin(), parts.end());
+  }
+  for (std::size_t i = 0; i < zones.size(); ++i) zones[i].number = static_cast<int>(i) + 1;
+  cleaned.blocks = std::move(zones);
+  return cleaned;
+}
 
 LocalFrame frame_of(const Field& field, const Job& job) {
   return job.frame.crs == "auto" ? LocalFrame::centred(centre(field)) : LocalFrame::of_crs(job.frame.crs, centre(field));
@@ -93,7 +109,8 @@ void add_block(Plan& plan, const PlannedBlock& planned, const LocalFrame& frame,
 Result<Plan> plan(const Field& field, const Job& job, Repair repair, const Progress& progress) {
   validate(job);
   const LocalFrame frame = frame_of(field, job);
-  const Blocks cleaned = blocks_of(field, frame, {job.field.obstacle_clearance_m, job.field.water_margin_m, repair});
+  const Blocks cleaned =
+      for_machine(blocks_of(field, frame, {job.field.obstacle_clearance_m, job.field.water_margin_m, repair}), job.machine);
   Plan plan = described(field, job, frame, cleaned);
   std::string reasons;
   for (const Block& block : cleaned.blocks) {

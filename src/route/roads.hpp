@@ -23,6 +23,8 @@ struct Track {
 };
 
 Track track_of(const Path& path, bool closed);
+/// A straight way on from a pose, as far as the machine fits, 20 m at most; empty where it fits nowhere.
+Path run_on(const Terrain& terrain, const Pose& from);
 /// The path driven forwards the other way.
 Path turned_round(const Path& path);
 /// The part of a path from `from_m` to `to_m` along it; of a closed one across its seam where to < from or to > its length.

@@ -16,9 +16,13 @@ namespace selion {
 namespace {
 
 constexpr double kGateRoom_m = 0.05;      // between the body and the border at the gate
+constexpr double kSwathEnd_m = 4;         // of a swath: where it is joined as a road
 constexpr std::size_t kRingStarts = 24;   // places tried to begin a headland pass
 constexpr std::size_t kRoadWays = 4;      // ways into a piece of work that the roads are asked for
 constexpr std::size_t kSearchedWays = 2;
+constexpr int kGiveUpChain = 3;           // pieces of a chain not reached in a row
+constexpr int kGiveUpTasks = 12;          // pieces of any kind not reached in a row
+constexpr double kLeastSplit = 8;         // working widths of length from which an open headland pass may be split
 constexpr double kFarRound = 3;           // a way this many turns long is worth a search for a shorter one
 
 /// A piece of work and the ways it may be driven, the preferred one first.
@@ -26,6 +30,7 @@ struct Task {
   PieceKind kind = PieceKind::swath;
   std::string id;
   std::vector<Path> ways;
+  bool closed = false;   ///< a headland pass all around
 };
 
 class Driver {
@@ -41,6 +46,7 @@ class Driver {
 
  private:
   [[nodiscard]] std::vector<Track> tracks() const;
+  [[nodiscard]] Track swath_track(Path way) const;
   [[nodiscard]] std::optional<Pose> at_gate(const Block& block, std::size_t gate, bool inwards) const;
   [[nodiscard]] Path swath_way(const Swath& swath, bool forth) const;
   [[nodiscard]] Task swath_task(const Swath& swath) const;
@@ -50,6 +56,9 @@ class Driver {
   void work_chains(std::vector<Chain> chains, const Progress& progress);
   void work_chain(const Chain& chain, bool from_last, bool forth);
   void work_nearest(std::vector<Task> tasks);
+  [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
+  [[nodiscard]] Task open_task(const std::string& id, const Path& path) const;
+  [[nodiscard]] Path tool_turned_round(const Path& path) const;
   void work_headland(bool inside_out);
   [[nodiscard]] double far_m(const Pose& pose) const;
   [[nodiscard]] PieceKind way_kind(const Path& way) const;
@@ -73,6 +82,25 @@ class Driver {
   Route route_;
 };
 
+/// Swaths serve as roads to and from obstacles inside: they are joined at their ends and beside those only.
+Track Driver::swath_track(Path way) const {
+  const double near_m = layout_.headland_depth_m + 6 / terrain_.limits.curvature_per_m;
+  Track track = track_of(std::move(way), false);
+  const auto beside_hole = [&](const Track::Station& station) {
+    const auto& holes = space_.area().holes;
+    return std::any_of(holes.begin(), holes.end(), [&](const Ring& hole) {
+      const Box box = bounds(hole);
+      const Point p = station.pose.at;
+      return p.x_m > box.low.x_m - near_m && p.x_m < box.high.x_m + near_m && p.y_m > box.low.y_m - near_m && p.y_m < box.high.y_m + near_m;
+    });
+  };
+  const double length = track.length_m;
+  std::erase_if(track.stations, [&](const Track::Station& station) {
+    return station.s_m > kSwathEnd_m && station.s_m < length - kSwathEnd_m && !beside_hole(station);
+  });
+  return track;
+}
+
 /// Every line of the layout, in each direction in which the machine fits on it.
 std::vector<Track> Driver::tracks() const {
   std::vector<Track> tracks;
@@ -81,7 +109,16 @@ std::vector<Track> Driver::tracks() const {
       if (fits(space_, terrain_.footprint, way)) tracks.push_back(track_of(way, closed));
   };
   for (const HeadlandPass& pass : layout_.headland_passes) add(pass.path, pass.closed);
-  for (const Swath& pocket : layout_.pockets) add(swath_way(pocket, true), false);
+  for (const Swath& pocket : layout_.pockets) {
+    Path way = turned_round(swath_way(pocket, true));
+    append(way, run_on(terrain_, end_pose(way)));
+    way = turned_round(way);
+    append(way, run_on(terrain_, end_pose(way)));
+    add(way, false);
+  }
+  for (const Swath& swath : layout_.swaths)
+    for (const bool forth : {true, false})
+      if (Path way = swath_way(swath, forth); fits(space_, terrain_.footprint, way)) tracks.push_back(swath_track(std::move(way)));
   return tracks;
 }
 
@@ -144,13 +181,16 @@ void Driver::consider(std::optional<Approach>& best, const Path& work, std::opti
 void Driver::work_chain(const Chain& chain, bool from_last, bool forth) {
   Chain order = chain;
   if (from_last) std::reverse(order.begin(), order.end());
+  int failed = 0;
   for (const Swath* swath : order) {
     Task task{PieceKind::swath, swath->id, {swath_way(*swath, forth), swath_way(*swath, !forth)}};
     std::erase_if(task.ways, [this](const Path& way) { return !fits(space_, terrain_.footprint, way); });
-    if (!drive_to(task)) {
+    if (failed >= kGiveUpChain || !drive_to(task)) {  // the rest is no nearer: later, from elsewhere
+      ++failed;
       put_off_.push_back(std::move(task));
       continue;
     }
+    failed = 0;
     const Point end = here_->at;
     forth = distance_m(end, swath->from) < distance_m(end, swath->to);  // the neighbour is driven back
   }
@@ -177,25 +217,71 @@ void Driver::work_chains(std::vector<Chain> chains, const Progress& progress) {
 
 /// Nearest first; what cannot be reached from here is tried again from elsewhere, at last given up.
 void Driver::work_nearest(std::vector<Task> tasks) {
-  std::size_t failed = 0;
-  while (!tasks.empty() && failed < tasks.size()) {
-    const auto nearness = [this](const Task& task) {
-      double least = std::numeric_limits<double>::infinity();
-      for (const Path& way : task.ways) least = std::min(least, far_m(start_pose(way)));
-      return least;
-    };
-    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) { return nearness(a) < nearness(b); });
-    const auto next = tasks.begin() + static_cast<std::ptrdiff_t>(failed);
-    std::stable_sort(next->ways.begin(), next->ways.end(),
+  const auto nearness = [this](const Task& task) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Path& way : task.ways) least = std::min(least, far_m(start_pose(way)));
+    return least;
+  };
+  std::vector<Task> failed;
+  int in_a_row = 0;
+  while (!tasks.empty()) {
+    const auto next = std::min_element(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) { return nearness(a) < nearness(b); });
+    Task task = std::move(*next);
+    tasks.erase(next);
+    std::stable_sort(task.ways.begin(), task.ways.end(),
                      [this](const Path& a, const Path& b) { return far_m(start_pose(a)) < far_m(start_pose(b)); });
-    if (drive_to(*next)) {
-      tasks.erase(next);
-      failed = 0;
-    } else {
-      ++failed;
+    if (drive_to(task)) {
+      tasks.insert(tasks.end(), std::make_move_iterator(failed.begin()), std::make_move_iterator(failed.end()));
+      failed.clear();
+      in_a_row = 0;
+    } else if (!split(task, tasks)) {
+      failed.push_back(std::move(task));
+      if (++in_a_row >= kGiveUpTasks) break;  // cut off from here
     }
   }
-  for (Task& task : tasks) put_off_.push_back(std::move(task));
+  put_off_.insert(put_off_.end(), std::make_move_iterator(failed.begin()), std::make_move_iterator(failed.end()));
+  put_off_.insert(put_off_.end(), std::make_move_iterator(tasks.begin()), std::make_move_iterator(tasks.end()));
+}
+
+/// A long open pass that cannot be reached at its ends may be begun in its middle: two passes instead of one.
+bool Driver::split(const Task& task, std::vector<Task>& into) const {
+  if (task.kind != PieceKind::headland_pass || task.closed || task.ways.empty()) return false;
+  const Path& whole = task.ways.front();
+  const double length = length_m(whole);
+  if (length < kLeastSplit * machine_.working_width_m) return false;
+  const Track track = track_of(whole, false);
+  const Track::Station* middle = nullptr;
+  for (const Track::Station& station : track.stations)
+    if (middle == nullptr || std::abs(station.s_m - length / 2) < std::abs(middle->s_m - length / 2)) middle = &station;
+  if (middle == nullptr || middle->s_m < length / 4 || middle->s_m > 3 * length / 4) return false;
+  into.push_back(open_task(task.id + "a", part_of(whole, 0, middle->s_m)));
+  into.push_back(open_task(task.id + "b", part_of(whole, middle->s_m, length)));
+  return true;
+}
+
+/// A part of the way round: either way along it.
+Task Driver::open_task(const std::string& id, const Path& path) const {
+  Task task{PieceKind::headland_pass, id, {}};
+  for (const Path& way : {path, tool_turned_round(path)})
+    if (fits(space_, terrain_.footprint, way)) task.ways.push_back(way);
+  return task;
+}
+
+/// The same ground worked the other way: the axle's path is moved on by the tool's place at either end.
+Path Driver::tool_turned_round(const Path& path) const {
+  Path back = turned_round(path);
+  const double shift = -2 * machine_.tool_x_m;  // from leading the tool at one end to leading it at the other
+  const Pose end = end_pose(back);
+  if (shift > 0) append(back, {{line(end.at, end.at + shift * unit(end.heading_rad)), Gear::forward}});
+  if (shift <= 0 || length_m(back) < 2 * shift) return back;
+  double from = 0;  // a swath may only be begun where the wheels stand straight
+  for (const Stretch& stretch : back) {
+    const bool line_here = stretch.curve.curvature_per_m == 0 && stretch.curve.sharpness_per_m2 == 0;
+    const double end = from + stretch.curve.length_m;
+    if (line_here && end > shift) return part_of(back, std::max(from, shift), length_m(back));
+    from = end;
+  }
+  return back;
 }
 
 /// A closed pass begun at stations all around, both ways round where the machine fits.
@@ -228,15 +314,17 @@ void Driver::work_headland(bool inside_out) {
     std::size_t last = i;
     while (last < order.size() && order[last]->ring == order[i]->ring) ++last;
     std::vector<const HeadlandPass*> same(order.begin() + static_cast<std::ptrdiff_t>(i), order.begin() + static_cast<std::ptrdiff_t>(last));
+    std::vector<Task> failed;
     while (!same.empty()) {
       const auto nearest = std::min_element(same.begin(), same.end(), [this](const HeadlandPass* a, const HeadlandPass* b) {
         return far_m(start_pose(a->path)) < far_m(start_pose(b->path));
       });
       const HeadlandPass& pass = **nearest;
-      Task task{PieceKind::headland_pass, pass.id, pass.closed ? ring_ways(pass) : std::vector<Path>{pass.path}};
-      if (!drive_to(task)) put_off_.push_back(std::move(task));
+      Task task = pass.closed ? Task{PieceKind::headland_pass, pass.id, ring_ways(pass), true} : open_task(pass.id, pass.path);
+      if (!drive_to(task)) failed.push_back(std::move(task));
       same.erase(nearest);
     }
+    work_nearest(std::move(failed));
     i = last;
   }
 }

@@ -191,7 +191,7 @@ void Search::add_moves(Gear gear, double step_m) {
     moves_.push_back({path, length_m(path), end.heading_rad, end.at, gear});
   };
   add({{line({0, 0}, {step_m, 0}), Gear::forward}});
-  for (const double turn : {kPi / 8, -kPi / 8, kPi / 4, -kPi / 4}) add(swing({}, turn, terrain_.limits));
+  for (const double turn : {kPi / 16, -kPi / 16, kPi / 8, -kPi / 8, kPi / 4, -kPi / 4}) add(swing({}, turn, terrain_.limits));
 }
 
 Path Search::placed_move(const Move& move, const Pose& pose) const {

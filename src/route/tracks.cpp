@@ -44,6 +44,17 @@ Path turned_round(const Path& path) {
   return out;
 }
 
+/// A straight way on from the path's end, as far as the machine fits.
+Path run_on(const Terrain& terrain, const Pose& from) {
+  constexpr double kFarthest_m = 20;
+  constexpr double kStep_m = 0.5;
+  double far_m = 0;
+  while (far_m < kFarthest_m && fits(terrain.space, terrain.footprint, {from.at + (far_m + kStep_m) * unit(from.heading_rad), from.heading_rad}))
+    far_m += kStep_m;
+  if (far_m == 0) return {};
+  return {{line(from.at, from.at + far_m * unit(from.heading_rad)), Gear::forward}};
+}
+
 Track track_of(const Path& path, bool closed) {
   Track track{path, closed, length_m(path), {}};
   double before = 0;
@@ -56,6 +67,7 @@ Track track_of(const Path& path, bool closed) {
     }
     before += length;
   }
+  if (!closed && !path.empty()) track.stations.push_back({track.length_m, end_pose(path)});
   return track;
 }
 
