@@ -112,7 +112,7 @@ void draw_obstacles(MapSheet& sheet) {
       if (area.mark != Mark::small_hole) continue;
       const PagePoint at = box_of(area.rings).centre();
       draw_small_hole(sheet.page, at);
-      sheet.placer.take(box_around(at, 2, 2));
+      sheet.placer.take(box_around(at, 2.6, 2.6));
     }
   });
 }

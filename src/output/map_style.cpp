@@ -152,8 +152,15 @@ void draw_corner(Drawing& page, PagePoint at) {
 }
 
 void draw_small_hole(Drawing& page, PagePoint at) {
-  const PageLine peak{{at.x_mm, at.y_mm - 1}, {at.x_mm + 1, at.y_mm + 0.75}, {at.x_mm - 1, at.y_mm + 0.75}};
-  page.add(PageShape{{peak}, Ends::closed, kBlack, Stroke{kWhite, 0.25, {}}});
+  constexpr double kRadius_mm = 1.1;
+  const double arm = kRadius_mm * 0.7;
+  const Stroke line{kBlack, 0.35, {}};
+  page.add(PageShape{{circle(at, kRadius_mm)}, Ends::closed, kWhite, line});
+  page.add(PageShape{{{{at.x_mm - arm, at.y_mm - arm}, {at.x_mm + arm, at.y_mm + arm}},
+                      {{at.x_mm - arm, at.y_mm + arm}, {at.x_mm + arm, at.y_mm - arm}}},
+                     Ends::open,
+                     {},
+                     line});
 }
 
 void draw_pivot(Drawing& page, PagePoint at) {
