@@ -30,8 +30,10 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string shortest(double value) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+  std::array<char, 400> buffer{};  // 1e308 has 309 digits before the point
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed).ptr;
+  return {buffer.data(), end};
 }
 
 std::string place(LonLat at) {

@@ -9,7 +9,7 @@
 
 namespace selion {
 
-/// The shortest text that reads back as the same double.
+/// The shortest text without an exponent that reads back as the same double.
 std::string shortest(double value);
 /// "8.1234567 E, 54.1234567 N": a place that a map takes.
 std::string place(LonLat at);
