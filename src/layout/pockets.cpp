@@ -42,67 +42,101 @@ double long_heading(const Polygon& part) {
   return best;
 }
 
+struct Reach {
+  double low_m = std::numeric_limits<double>::infinity();
+  double high_m = -std::numeric_limits<double>::infinity();
+
+  void take(double value_m) {
+    low_m = std::min(low_m, value_m);
+    high_m = std::max(high_m, value_m);
+  }
+};
+
+Reach reach_of(const Ring& ring, Point axis) {
+  Reach reach;
+  for (const Point p : ring) reach.take(dot(p, axis));
+  return reach;
+}
+
+/// What of `part` lies under the strip a-b: parts closer than a width belong to one piece.
+struct Find {
+  Reach along;
+  double area_m2 = 0;
+};
+std::vector<Find> finds_under(const Polygon& part, Point a, Point b, double width_m) {
+  const Point axis = (1 / distance_m(a, b)) * (b - a);
+  std::vector<Find> finds;
+  for (const Polygon& gained : intersect({part}, {Polygon{strip(a, b, width_m), {}}}))
+    finds.push_back({reach_of(gained.shell, axis), area_m2(gained)});
+  std::sort(finds.begin(), finds.end(), [](const Find& p, const Find& q) { return p.along.low_m < q.along.low_m; });
+  std::vector<Find> merged;
+  for (const Find& find : finds) {
+    if (merged.empty() || find.along.low_m - merged.back().along.high_m > width_m) {
+      merged.push_back(find);
+      continue;
+    }
+    merged.back().along.take(find.along.high_m);
+    merged.back().area_m2 += find.area_m2;
+  }
+  return merged;
+}
+
 /// Straight strips over one part, spread evenly across it, each as long as what it finds there.
 std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
   const double width = ground.machine.working_width_m;
-  const Point along = unit(long_heading(part));
-  const Point side = left_of(along);
-  double low_a = std::numeric_limits<double>::infinity(), high_a = -low_a, low_c = low_a, high_c = -low_a;
-  for (const Point p : part.shell) {
-    low_a = std::min(low_a, dot(p, along)), high_a = std::max(high_a, dot(p, along));
-    low_c = std::min(low_c, dot(p, side)), high_c = std::max(high_c, dot(p, side));
-  }
-  const int count = std::max(1, static_cast<int>(std::ceil((high_c - low_c - kSliver_m) / width)));
+  const Point axis = unit(long_heading(part));
+  const Point side = left_of(axis);
+  const Reach along = reach_of(part.shell, axis);
+  const Reach across = reach_of(part.shell, side);
+  const double span = across.high_m - across.low_m;
+  const int count = std::max(1, static_cast<int>(std::ceil((span - kSliver_m) / width)));
   std::vector<Swath> pieces;
   for (int k = 0; k < count; ++k) {
-    const double c = count == 1 ? (low_c + high_c) / 2 : low_c + width / 2 + (high_c - low_c - width) * k / (count - 1);
-    const Point a = low_a * along + c * side;
-    const Point b = high_a * along + c * side;
-    for (const Span1& span : drivable_spans(ground, a, b)) {
-      const Swath piece{"", 0, a + span.from_m * along, a + span.to_m * along};
-      double from = std::numeric_limits<double>::infinity();
-      double to = -from;
-      double gain_m2 = 0;
-      if (span.to_m - span.from_m < kSliver_m) continue;
-      for (const Polygon& gained : intersect({part}, {Polygon{strip(piece.from, piece.to, width), {}}})) {
-        gain_m2 += area_m2(gained);
-        for (const Point p : gained.shell) from = std::min(from, dot(p - a, along)), to = std::max(to, dot(p - a, along));
-      }
-      if (gain_m2 >= kPassWorth * width * width) pieces.push_back({"", 0, a + from * along, a + to * along});
+    const double c = count == 1 ? (across.low_m + across.high_m) / 2 : across.low_m + width / 2 + (span - width) * k / (count - 1);
+    const Point origin = c * side;
+    for (const Find& find : finds_under(part, along.low_m * axis + origin, along.high_m * axis + origin, width)) {
+      const double length = find.along.high_m - find.along.low_m;
+      if (find.area_m2 < kPassWorth * width * std::max(width, length / 2) || length < kSliver_m) continue;
+      const Point a = find.along.low_m * axis + origin;
+      for (const Span1& run : drivable_spans(ground, a, find.along.high_m * axis + origin))
+        if (run.to_m - run.from_m > kSliver_m) pieces.push_back({"", 0, a + run.from_m * axis, a + run.to_m * axis});
     }
   }
   return pieces;
 }
 
-/// As much of the piece as the machine fits on, driven at least one way; absent where too little is left.
-std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
-  const double length = distance_m(piece.from, piece.to);
-  const Point along = (1 / length) * (piece.to - piece.from);
+/// The longest run of the piece on which the machine fits, driven from its `from` side.
+Reach longest_fit(const Ground& ground, const Swath& piece) {
   constexpr double kStep_m = 0.25;
-  Swath best = piece;
-  double longest = 0;
-  for (const double sign : {1.0, -1.0}) {
-    const double heading = heading_rad(sign * along);
-    double from = -1;
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep_m)));
-    for (int k = 0; k <= steps + 1; ++k) {
-      const double s = length * std::min(k, steps) / steps;
-      const Point tool = sign > 0 ? piece.from + s * along : piece.to - s * along;
-      const Pose axle{tool + (-ground.machine.tool_x_m) * unit(heading), heading};
-      const bool inside = k <= steps && fits(ground.space, ground.footprint, axle);
-      if (inside && from < 0) from = s;
-      if (inside || from < 0) continue;
-      const double to = k > steps ? length : length * (k - 1) / steps;
-      if (to - from > longest + 1e-6) {
-        longest = to - from;
-        const Point start = sign > 0 ? piece.from : piece.to;
-        best = {"", 0, start + from * (sign * along), start + to * (sign * along)};
-      }
-      from = -1;
+  const double length = distance_m(piece.from, piece.to);
+  const Point axis = (1 / length) * (piece.to - piece.from);
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep_m)));
+  Reach best{0, 0};
+  std::optional<double> from;
+  for (int k = 0; k <= steps; ++k) {
+    const double s = length * k / steps;
+    const Pose axle{piece.from + (s - ground.machine.tool_x_m) * axis, heading_rad(axis)};
+    if (!fits(ground.space, ground.footprint, axle)) {
+      from.reset();
+      continue;
     }
+    if (!from) from = s;
+    if (s - *from > best.high_m - best.low_m + 1e-6) best = {*from, s};
   }
-  if (longest < kLeastLength * ground.machine.working_width_m) return std::nullopt;
   return best;
+}
+
+/// As much of the piece as the machine fits on, driven one way or the other; absent where too little is left.
+std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
+  const Swath back{piece.id, piece.strip, piece.to, piece.from};
+  const Reach forth_fit = longest_fit(ground, piece);
+  const Reach back_fit = longest_fit(ground, back);
+  const bool forth = forth_fit.high_m - forth_fit.low_m >= back_fit.high_m - back_fit.low_m - 1e-6;
+  const Swath& way = forth ? piece : back;
+  const Reach fit = forth ? forth_fit : back_fit;
+  if (fit.high_m - fit.low_m < kLeastLength * ground.machine.working_width_m) return std::nullopt;
+  const Point axis = (1 / distance_m(way.from, way.to)) * (way.to - way.from);
+  return Swath{"", 0, way.from + fit.low_m * axis, way.from + fit.high_m * axis};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "records.hpp"
 #include "selion/core/format.hpp"
 #include "selion/field/frame.hpp"
+#include "selion/geometry/simplify.hpp"
 #include "selion/layout/layout.hpp"
 #include "selion/layout/zones.hpp"
 #include "selion/plan/job_file.hpp"
@@ -40,8 +41,15 @@ DrivingDirection local_direction(const LocalFrame& frame, Point at, double beari
   return DrivingDirection::bearing_deg(bearing_deg - frame.convergence_deg(at));
 }
 
-Result<DrivingDirection> direction_of(const Block& block, const LocalFrame& frame, const std::string& how) {
-  if (how == "edge") return best_edge_direction(block.area);
+/// A border's steps and wiggles smaller than half the working width cost no swath piece: they must not choose the direction.
+Polygon without_wiggles(const Polygon& area, double tolerance_m) {
+  Polygon out{simplified(area.shell, tolerance_m), {}};
+  for (const Ring& hole : area.holes) out.holes.push_back(simplified(hole, tolerance_m));
+  return out;
+}
+
+Result<DrivingDirection> direction_of(const Block& block, const LocalFrame& frame, const std::string& how, double width_m) {
+  if (how == "edge") return best_edge_direction(without_wiggles(block.area, width_m / 2));
   if (how == "p3") {
     const auto found = p3_direction(block.area);
     if (!found) return found.error();
@@ -63,7 +71,7 @@ Result<LayoutOptions> layout_options(const Block& block, const LocalFrame& frame
     options.ab = AbLine{frame.to_local({lon_a, lat_a}), frame.to_local({lon_b, lat_b})};
     return options;
   }
-  const auto direction = direction_of(block, frame, job.layout.direction);
+  const auto direction = direction_of(block, frame, job.layout.direction, job.machine.working_width_m);
   if (!direction) return direction.error();
   options.along = *direction;
   return options;

@@ -56,7 +56,7 @@ std::optional<Path> connect(const Terrain& terrain, Roads& roads, const Pose& fr
   std::optional<Path> best = direct_turn(terrain, from, to);
   if (best && length_m(*best) <= 3 * near_m && distance_m(from.at, to.at) <= near_m) return best;
   double least = best ? cost_m(terrain, *best) : std::numeric_limits<double>::infinity();
-  if (auto round = roads.way(from, to); round && cost_m(terrain, *round) < least) best = std::move(round);
+  if (auto round = roads.way(from, to, {}); round && cost_m(terrain, *round) < least) best = std::move(round);
   return best ? best : searched(terrain, from, to);
 }
 

@@ -11,8 +11,9 @@
 namespace selion {
 namespace {
 
-constexpr std::size_t kLinksTried = 8;      // turns tried from a station to other lines
+constexpr std::size_t kLinksTried = 10;      // turns tried from a station to other lines
 constexpr std::size_t kJoinsTried = 10;     // stations tried for the first and the last turn
+constexpr int kOfOneLine = 2;
 constexpr std::size_t kMostVisited = 20000;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -64,9 +65,16 @@ std::vector<std::size_t> Roads::near(Point p, double radius_m) const {
 std::vector<std::size_t> Roads::likely(const Pose& from, const std::vector<std::size_t>& nodes, std::size_t most) const {
   std::vector<std::pair<double, std::size_t>> ranked;
   for (const std::size_t node : nodes) ranked.emplace_back(guess_m(from, station(node).pose, 1 / terrain_.limits.curvature_per_m), node);
+  return foremost(std::move(ranked), most);
+}
+
+/// The lowest ranked, but few of any one line: else the many swath ends crowd out the one headland pass beside them.
+std::vector<std::size_t> Roads::foremost(std::vector<std::pair<double, std::size_t>> ranked, std::size_t most) const {
   std::sort(ranked.begin(), ranked.end());
+  std::unordered_map<std::size_t, int> of_track;
   std::vector<std::size_t> best;
-  for (std::size_t i = 0; i < ranked.size() && i < most; ++i) best.push_back(ranked[i].second);
+  for (std::size_t i = 0; i < ranked.size() && best.size() < most; ++i)
+    if (++of_track[nodes_[ranked[i].second].track] <= kOfOneLine) best.push_back(ranked[i].second);
   return best;
 }
 
@@ -99,18 +107,6 @@ const std::vector<Roads::Link>& Roads::links(std::size_t node) {
   return links_.emplace(node, std::move(found)).first->second;
 }
 
-/// Straight runs backwards from the pose, the vehicle's heading kept, each as long again as the one before.
-std::vector<Path> Roads::backings(const Pose& pose) const {
-  std::vector<Path> runs;
-  if (!terrain_.may_reverse) return runs;
-  for (double back_m = 1 / terrain_.limits.curvature_per_m; back_m < 40; back_m *= 2) {
-    const Path run{{line(pose.at, pose.at - back_m * unit(pose.heading_rad)), Gear::reverse}};
-    if (!stays_inside(terrain_.space, terrain_.footprint, run)) break;
-    runs.push_back(run);
-  }
-  return runs;
-}
-
 void Roads::join_from(Joins& joins, const Pose& pose, const Path& before) const {
   for (const std::size_t node : likely(pose, near(pose.at, reach_m_), kJoinsTried)) {
     auto turn = direct_turn(terrain_, pose, station(node).pose);
@@ -130,9 +126,7 @@ void Roads::join_to(Joins& joins, const Pose& pose, const Path& after) const {
     const Pose& at = station(node).pose;
     ranked.emplace_back(guess_m(about, {at.at, at.heading_rad + std::acos(-1.0)}, 1 / terrain_.limits.curvature_per_m), node);
   }
-  std::sort(ranked.begin(), ranked.end());
-  for (std::size_t i = 0; i < ranked.size() && i < kJoinsTried; ++i) {
-    const std::size_t node = ranked[i].second;
+  for (const std::size_t node : foremost(std::move(ranked), kJoinsTried)) {
     auto turn = direct_turn(terrain_, station(node).pose, pose);
     if (!turn) continue;
     Path path = joined({}, *turn, after);
@@ -142,10 +136,10 @@ void Roads::join_to(Joins& joins, const Pose& pose, const Path& after) const {
   }
 }
 
-std::optional<Path> Roads::way(const Pose& from, const Pose& to) {
+std::optional<Path> Roads::way(const Pose& from, const Pose& to, const std::vector<Path>& retreats) {
   Joins starts, ends;
   join_from(starts, from, {});
-  for (const Path& run : backings(from)) join_from(starts, end_pose(run), run);
+  for (const Path& run : retreats) join_from(starts, end_pose(run), run);
   if (starts.empty()) return std::nullopt;
   join_to(ends, to, {});
   if (terrain_.may_reverse)

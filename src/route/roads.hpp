@@ -36,9 +36,10 @@ class Roads {
  public:
   Roads(const Terrain& terrain, std::vector<Track> tracks);
 
-  /// Cheapest way found by A* over the stations; both ends are joined by single turns, with a straight run backwards out of
-  /// `from` or into `to` where the machine may reverse. Absent where the network does not join them.
-  std::optional<Path> way(const Pose& from, const Pose& to);
+  /// Cheapest way found by A* over the stations; both ends are joined by single turns, the first after one of the
+  /// `retreats` (ways backwards out of `from`) where that helps, the last before a straight run backwards into `to` where the
+  /// machine may reverse. Absent where the network does not join them.
+  std::optional<Path> way(const Pose& from, const Pose& to, const std::vector<Path>& retreats);
 
  private:
   struct Node {
@@ -60,11 +61,11 @@ class Roads {
   [[nodiscard]] const Track::Station& station(std::size_t node) const;
   [[nodiscard]] std::vector<std::size_t> near(Point p, double radius_m) const;
   [[nodiscard]] std::vector<std::size_t> likely(const Pose& from, const std::vector<std::size_t>& nodes, std::size_t most) const;
+  [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked, std::size_t most) const;
   const std::vector<Link>& links(std::size_t node);
   std::optional<Link> along(std::size_t node) const;
   void join_from(Joins& joins, const Pose& pose, const Path& before) const;
   void join_to(Joins& joins, const Pose& pose, const Path& after) const;
-  [[nodiscard]] std::vector<Path> backings(const Pose& pose) const;
 
   const Terrain& terrain_;
   std::vector<Track> tracks_;

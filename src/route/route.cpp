@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "chains.hpp"
@@ -21,8 +22,12 @@ constexpr std::size_t kRingStarts = 24;   // places tried to begin a headland pa
 constexpr std::size_t kRoadWays = 4;      // ways into a piece of work that the roads are asked for
 constexpr std::size_t kSearchedWays = 2;
 constexpr int kGiveUpChain = 3;           // pieces of a chain not reached in a row
-constexpr int kGiveUpTasks = 12;          // pieces of any kind not reached in a row
+constexpr int kGiveUpTasks = 24;          // pieces of any kind not reached in a row
 constexpr double kLeastSplit = 8;         // working widths of length from which an open headland pass may be split
+constexpr double kFarthestRetreat_m = 150;
+constexpr double kRetreatStep_m = 6;
+constexpr std::size_t kMostRetreats = 14;
+constexpr double kStraight_per_m = 1e-9;
 constexpr double kFarRound = 3;           // a way this many turns long is worth a search for a shorter one
 
 /// A piece of work and the ways it may be driven, the preferred one first.
@@ -56,7 +61,7 @@ class Driver {
   void work_chains(std::vector<Chain> chains, const Progress& progress);
   void work_chain(const Chain& chain, bool from_last, bool forth);
   void work_nearest(std::vector<Task> tasks);
-  [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
+  bool split(const Task& task, std::vector<Task>& into);
   [[nodiscard]] Task open_task(const std::string& id, const Path& path) const;
   [[nodiscard]] Path tool_turned_round(const Path& path) const;
   void work_headland(bool inside_out);
@@ -70,6 +75,7 @@ class Driver {
     Path way;
     double cost_m;
   };
+  [[nodiscard]] std::vector<Path> retreats() const;
   void consider(std::optional<Approach>& best, const Path& work, std::optional<Path> way) const;
 
   const Layout& layout_;
@@ -79,6 +85,7 @@ class Driver {
   Roads roads_;
   std::optional<Pose> here_;
   std::vector<Task> put_off_;
+  std::map<std::string, int> parts_of_;   // how many parts an open pass was split into
   Route route_;
 };
 
@@ -163,13 +170,41 @@ bool Driver::drive_to(const Task& task) {
     for (std::size_t i = 0; i < task.ways.size() && i < most; ++i) consider(best, task.ways[i], way_to(before(task.ways[i])));
   };
   each(task.ways.size(), [this](const Pose& goal) { return direct_turn(terrain_, *here_, goal); });
-  if (!best || best->cost_m > longest_turn_m()) each(kRoadWays, [this](const Pose& goal) { return roads_.way(*here_, goal); });
+  if (!best || best->cost_m > longest_turn_m()) {
+    const std::vector<Path> back = retreats();
+    each(kRoadWays, [&](const Pose& goal) { return roads_.way(*here_, goal, back); });
+  }
   const bool close = far_m(before(task.ways.front())) < longest_turn_m();
   if (!best || (close && best->cost_m > kFarRound * longest_turn_m()))
     each(kSearchedWays, [this](const Pose& goal) { return searched(terrain_, *here_, goal); });
   if (!best) return false;
   if (machine_.run_in_m > 0) best->way.push_back({line(before(*best->work).at, start_pose(*best->work).at), Gear::forward});
   return drive_one(task, best->way, *best->work);
+}
+
+/// Ways backwards over what was just driven, longer and longer: out of a dead end the way it came is always free.
+std::vector<Path> Driver::retreats() const {
+  std::vector<Path> found;
+  if (!machine_.may_reverse) return found;
+  Path run;
+  double length = 0;
+  for (auto piece = route_.pieces.rbegin(); piece != route_.pieces.rend(); ++piece)
+    for (auto stretch = piece->path.rbegin(); stretch != piece->path.rend(); ++stretch) {
+      if (stretch->gear == Gear::reverse || length > kFarthestRetreat_m || found.size() >= kMostRetreats) return found;
+      const double whole = stretch->curve.length_m;
+      const bool straight = stretch->curve.curvature_per_m == 0 && stretch->curve.sharpness_per_m2 == 0;
+      const int steps = straight ? std::max(1, static_cast<int>(std::ceil(whole / kRetreatStep_m))) : 1;
+      const Curve back = reversed(stretch->curve);
+      for (int k = 1; k <= steps && found.size() < kMostRetreats; ++k) {
+        Path part = run;
+        part.push_back({back, Gear::reverse});
+        part.back().curve.length_m = whole * k / steps;
+        if (straight || std::abs(stretch->curve.curvature_per_m) < kStraight_per_m) found.push_back(std::move(part));
+      }
+      run.push_back({back, Gear::reverse});
+      length += whole;
+    }
+  return found;
 }
 
 void Driver::consider(std::optional<Approach>& best, const Path& work, std::optional<Path> way) const {
@@ -244,7 +279,7 @@ void Driver::work_nearest(std::vector<Task> tasks) {
 }
 
 /// A long open pass that cannot be reached at its ends may be begun in its middle: two passes instead of one.
-bool Driver::split(const Task& task, std::vector<Task>& into) const {
+bool Driver::split(const Task& task, std::vector<Task>& into) {
   if (task.kind != PieceKind::headland_pass || task.closed || task.ways.empty()) return false;
   const Path& whole = task.ways.front();
   const double length = length_m(whole);
@@ -254,8 +289,9 @@ bool Driver::split(const Task& task, std::vector<Task>& into) const {
   for (const Track::Station& station : track.stations)
     if (middle == nullptr || std::abs(station.s_m - length / 2) < std::abs(middle->s_m - length / 2)) middle = &station;
   if (middle == nullptr || middle->s_m < length / 4 || middle->s_m > 3 * length / 4) return false;
-  into.push_back(open_task(task.id + "a", part_of(whole, 0, middle->s_m)));
-  into.push_back(open_task(task.id + "b", part_of(whole, middle->s_m, length)));
+  const std::string pass = task.id.substr(0, task.id.find('.'));
+  into.push_back(open_task(pass + "." + std::to_string(++parts_of_[pass]), part_of(whole, 0, middle->s_m)));
+  into.push_back(open_task(pass + "." + std::to_string(++parts_of_[pass]), part_of(whole, middle->s_m, length)));
   return true;
 }
 
@@ -363,7 +399,8 @@ Result<Route> Driver::drive(const Block& block, const RouteOptions& options, con
   const bool any = std::any_of(route_.pieces.begin(), route_.pieces.end(), [](const RoutePiece& p) { return p.kind == PieceKind::swath; });
   if (!any) return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
   if (out) {
-    const auto way = connect(terrain_, roads_, *here_, *out);
+    auto way = connect(terrain_, roads_, *here_, *out);
+    if (!way) way = roads_.way(*here_, *out, retreats());
     if (way) route_.pieces.push_back({PieceKind::transfer, "", *way});
     else route_.notes.push_back("no way back to gate " + block.gates[*options.gate].name + " was found; the drive ends elsewhere");
   }
