@@ -37,6 +37,13 @@ std::string area_text(const FieldView& view, Units units) {
                                   : fixed(hectares_of_m2(*view.area_m2), 2) + " ha";
 }
 
+std::string accuracy_text(const Field& field) {
+  if (!field.datum_accuracy_m) return ", step to WGS84 of unknown accuracy";
+  return *field.datum_accuracy_m == 0
+             ? ""
+             : ", step to WGS84 good to " + number_text(*field.datum_accuracy_m) + " m";
+}
+
 void clean(FieldView& view) {
   try {
     view.centre = centre(view.field);
@@ -147,10 +154,8 @@ std::string text_of(const FieldView& view, Units units) {
          counted(static_cast<std::size_t>(view.holes), "hole", "holes") + ", " +
          counted(static_cast<std::size_t>(view.vertices), "vertex", "vertices") + ", centre " +
          place_text(view.centre) + " (longitude, latitude)\n";
-  out += "   " + printable(field.source_crs) + ", datum " + printable(field.datum) + ", " +
-         (field.datum_accuracy_m ? "known to " + number_text(*field.datum_accuracy_m) + " m"
-                                 : "accuracy not known") +
-         "\n";
+  out +=
+      "   " + printable(field.source_crs) + ", datum " + printable(field.datum) + accuracy_text(field) + "\n";
   for (const Gate& gate : field.gates)
     out += "   gate " + printable(gate.name) + " at " + place_text(gate.at) +
            (gate.width_m ? ", " + number_text(*gate.width_m) + " m wide" : "") + "\n";

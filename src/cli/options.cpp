@@ -68,11 +68,17 @@ std::string described(const JobKey& key) {
   return std::string{key.help} + (listed ? ": " + spoken_list(choices) : "") + " [" + default_of(key) + "]";
 }
 
-CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& into,
-                      const std::string& about, const std::string& type, const std::string& group) {
+/// How an option stands in the help.
+struct Words {
+  const char* names;
+  const char* type;
+  const char* about;
+};
+
+void add_text(CLI::App& app, const char* group, const Words& words, std::optional<std::string>& into) {
   auto* option = app.add_option_function<std::string>(
-      names, [&into](const std::string& text) { into = text; }, about);
-  return option->type_name(type)->group(group)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+      words.names, [&into](const std::string& text) { into = text; }, words.about);
+  option->type_name(words.type)->group(group)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 bool names_a_file(const std::string& machine) {
@@ -101,7 +107,7 @@ void take_machine(JobSettings& settings, const std::string& machine) {
 
 std::shared_ptr<JobOptions> add_job_options(CLI::App& app) {
   auto options = std::make_shared<JobOptions>();
-  add_text(app, "--job", options->file, "a job file; flags win over it", "FILE.toml", "Job");
+  add_text(app, "Job", {"--job", "FILE.toml", "a job file; flags win over it"}, options->file);
   for (const JobKey& key : job_keys()) {
     const std::string names = std::string{key.flag} + (key.alias.empty() ? "" : "," + std::string{key.alias});
     const std::string full = full_name(key);
@@ -128,16 +134,17 @@ Job job_from(const JobOptions& options) {
 
 std::shared_ptr<FieldOptions> add_field_options(CLI::App& app) {
   auto options = std::make_shared<FieldOptions>();
-  const std::string group = "Reading fields";
-  add_text(app, "--field", options->field, "only this field of a file", "NAME|NUMBER", group);
-  add_text(app, "--layer", options->layer, "only this layer of a file", "NAME", group);
-  add_text(app, "--crs", options->crs, "coordinate system of a file that does not say", "EPSG:CODE", group);
-  add_text(app, "--axis", options->axis, "order of the numbers in a CSV or text file [lonlat]",
-           "lonlat|latlon", group);
-  add_text(app, "--obstacles", options->obstacles, "a file of obstacles", "FILE", group);
-  add_text(app, "--gates", options->gates, "a file of gates", "FILE", group);
-  add_text(app, "--accept-datum-error", options->accept_datum_error_m,
-           "take coordinates whose datum is known no better than this, in m [5]", "NUMBER", group);
+  const auto add = [&app](std::optional<std::string>& into, const Words& words) {
+    add_text(app, "Reading fields", words, into);
+  };
+  add(options->field, {"--field", "NAME|NUMBER", "only this field of a file"});
+  add(options->layer, {"--layer", "NAME", "only this layer of a file"});
+  add(options->crs, {"--crs", "EPSG:CODE", "coordinate system of a file that does not say"});
+  add(options->axis, {"--axis", "lonlat|latlon", "order of the numbers in a CSV or text file [lonlat]"});
+  add(options->obstacles, {"--obstacles", "FILE", "a file of obstacles"});
+  add(options->gates, {"--gates", "FILE", "a file of gates"});
+  add(options->accept_datum_error_m, {"--accept-datum-error", "NUMBER",
+                                      "take coordinates whose datum is known no better than this, in m [5]"});
   return options;
 }
 

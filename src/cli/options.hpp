@@ -9,7 +9,7 @@
 #include "selion/field/read.hpp"
 #include "selion/plan/job_keys.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 calls it so
 class App;
 }
 

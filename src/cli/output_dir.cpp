@@ -45,6 +45,8 @@ class Unfinished {
   Unfinished() = default;
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
+  Unfinished(Unfinished&&) = delete;
+  Unfinished& operator=(Unfinished&&) = delete;
   ~Unfinished() {
     std::error_code ignored;  // what cannot be removed was reported by what failed before
     for (const fs::path& file : files_) fs::remove(file, ignored);

@@ -19,6 +19,8 @@ class Terminal {
   explicit Terminal(Loudness loudness);
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
+  Terminal(Terminal&&) = delete;
+  Terminal& operator=(Terminal&&) = delete;
   ~Terminal();
 
   void note(std::string_view text);  ///< not where quiet

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -163,12 +164,9 @@ std::vector<JobKey> machine_keys() {
   };
 }
 
-std::vector<JobKey> other_keys() {
+std::vector<JobKey> ground_keys() {
   using F = Job::FieldKeys;
   using L = Job::LayoutKeys;
-  using H = Job::HeadlandKeys;
-  using R = Job::RouteKeys;
-  using O = Job::OutputKeys;
   return {
       key<JobType::number, &Job::field, &F::edge_margin_m>(
           {"field", "edge_margin_m", "--edge-margin", "m", "kept from the border"}),
@@ -210,6 +208,14 @@ std::vector<JobKey> other_keys() {
           {"layout", "row_spacing_m", "--row-spacing", "m", "distance of the crop's rows"}),
       key<JobType::count, &Job::layout, &L::tramlines>(
           {"layout", "tramlines", "--tramlines", "", "tramlines; only 0 yet"}),
+  };
+}
+
+std::vector<JobKey> work_keys() {
+  using H = Job::HeadlandKeys;
+  using R = Job::RouteKeys;
+  using O = Job::OutputKeys;
+  return {
       key<JobType::count, &Job::headland, &H::passes>(
           {"headland", "passes", "--passes", "", "rounds along the border; auto: as many as the turns need",
            "", "", "auto", "--headland-passes"}),
@@ -233,7 +239,8 @@ std::vector<JobKey> all_keys() {
       {"", "operation", "--operation", "", "what is done; sets when the headland is worked",
        "tillage|seeding|weeding|spraying|mowing|harvest|scouting"})};
   std::ranges::move(machine_keys(), std::back_inserter(keys));
-  std::ranges::move(other_keys(), std::back_inserter(keys));
+  std::ranges::move(ground_keys(), std::back_inserter(keys));
+  std::ranges::move(work_keys(), std::back_inserter(keys));
   return keys;
 }
 
