@@ -190,18 +190,19 @@ std::vector<Path> Driver::retreats() const {
   double length = 0;
   for (auto piece = route_.pieces.rbegin(); piece != route_.pieces.rend(); ++piece)
     for (auto stretch = piece->path.rbegin(); stretch != piece->path.rend(); ++stretch) {
-      if (stretch->gear == Gear::reverse || length > kFarthestRetreat_m || found.size() >= kMostRetreats) return found;
+      if (length > kFarthestRetreat_m || found.size() >= kMostRetreats) return found;
       const double whole = stretch->curve.length_m;
       const bool straight = stretch->curve.curvature_per_m == 0 && stretch->curve.sharpness_per_m2 == 0;
       const int steps = straight ? std::max(1, static_cast<int>(std::ceil(whole / kRetreatStep_m))) : 1;
       const Curve back = reversed(stretch->curve);
+      const Gear gear = stretch->gear == Gear::forward ? Gear::reverse : Gear::forward;
       for (int k = 1; k <= steps && found.size() < kMostRetreats; ++k) {
         Path part = run;
-        part.push_back({back, Gear::reverse});
+        part.push_back({back, gear});
         part.back().curve.length_m = whole * k / steps;
         if (straight || std::abs(stretch->curve.curvature_per_m) < kStraight_per_m) found.push_back(std::move(part));
       }
-      run.push_back({back, Gear::reverse});
+      run.push_back({back, gear});
       length += whole;
     }
   return found;
