@@ -34,7 +34,9 @@ struct Sample {
 /// Fastest drive over the legs within caps, acceleration, braking, lateral acceleration and steering rate, from and to
 /// rest, resting at changes of gear and at waits. A sample stands at every end of a leg, every corner of the speed
 /// profile, every tool change and wait, and at most 0.25 m apart where the curve bends, 100 m on straights.
-/// Times increase strictly (a wait repeats the position).
+/// Times increase strictly (a wait repeats the position). A joint of legs is one sample, of the later leg. Legs below 1e-6 m
+/// take no time and have no sample; corners of the profile within 0.5 ms of each other are one. Linear in legs and length.
+/// @pre every leg with a length has a cap above 0.
 std::vector<Sample> drive(std::span<const Leg> legs, const Machine& machine);
 
 }  // namespace selion

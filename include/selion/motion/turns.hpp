@@ -42,10 +42,12 @@ struct TurnKind {
   TurnFamily candidates;
 };
 
-/// loop, dip and flat (between antiparallel swaths), and the Dubins words with clothoids (any two poses).
+/// loop and flat (between antiparallel swaths, the shorter one driven on), dip, straight and the Dubins words with
+/// clothoids (any two poses).
 std::span<const TurnKind> turns();
 
-/// The candidates of all families, shortest first; never empty.
+/// The candidates of all families, shortest first, each way once; never empty. Poses that agree are connected by a
+/// straight of length 0.
 std::vector<Path> connections(const Pose& from, const Pose& to, const CurveLimits& limits);
 
 }  // namespace selion

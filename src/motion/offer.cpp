@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "offer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "selion/core/angle.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kMeets = 1e-9;       // m, rad, 1/m
+constexpr double kAntiparallel = 1e-6;  // rad
+
+bool keeps(const Path& path, const CurveLimits& limits) {
+  return std::all_of(path.begin(), path.end(), [&limits](const Stretch& stretch) {
+    const Curve& curve = stretch.curve;
+    const double end = curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m;
+    return std::max(std::abs(curve.curvature_per_m), std::abs(end)) <= limits.curvature_per_m * (1 + kMeets) &&
+           std::abs(curve.sharpness_per_m2) <= limits.sharpness_per_m2 * (1 + kMeets) && curve.length_m >= 0;
+  });
+}
+
+}  // namespace
+
+Pose seen_from(const Pose& from, const Pose& to) {
+  const Point way = to.at - from.at;
+  const Point ahead = unit(from.heading_rad);
+  return {{dot(ahead, way), cross(ahead, way)}, wrapped(to.heading_rad - from.heading_rad)};
+}
+
+double whole_turns_off(double angle_rad) {
+  const double turn = 2 * std::numbers::pi;
+  const double rest = angle_rad - turn * std::floor(angle_rad / turn);
+  return rest >= turn || rest < 0 ? 0 : rest;
+}
+
+void offer(std::vector<Path>& paths, Drawn drawn, const Pose& to, const CurveLimits& limits) {
+  if (drawn.path.empty()) return;
+  const bool meets = distance_m(drawn.at.at, to.at) <= kMeets &&
+                     std::abs(wrapped(drawn.at.heading_rad - to.heading_rad)) <= kMeets;
+  if (meets && keeps(drawn.path, limits)) paths.push_back(std::move(drawn.path));
+}
+
+std::optional<UTurn> u_turn(const Pose& from, const Pose& to) {
+  Pose goal = seen_from(from, to);
+  if (std::numbers::pi - std::abs(goal.heading_rad) > kAntiparallel) return std::nullopt;
+  UTurn turn;
+  if (goal.at.x_m > 0) {
+    turn.before_m = goal.at.x_m;
+    goal.at.x_m = 0;
+  } else {
+    // Driven at the goal's heading, so that the turn's end lies straight behind the goal.
+    turn.after_m = goal.at.x_m / std::cos(goal.heading_rad);
+    goal.at = goal.at - turn.after_m * unit(goal.heading_rad);
+  }
+  turn.goal = goal;
+  return turn;
+}
+
+}  // namespace selion
