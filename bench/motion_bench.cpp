@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include <benchmark/benchmark.h>
 
 #include "selion/motion/speed.hpp"
 #include "selion/motion/turns.hpp"
@@ -14,7 +14,8 @@ namespace {
 
 constexpr CurveLimits kRobot{0.556, 0.436};  // the 3 m robot at 1 m/s
 
-/// Pairs of poses at distances that grow evenly by their order of magnitude up to `reach_m`, from a hundredth of it.
+/// Pairs of poses at distances that grow evenly by their order of magnitude up to `reach_m`, from a hundredth
+/// of it.
 std::vector<Pose> poses_within(double reach_m) {
   std::mt19937 random{5};
   std::uniform_real_distribution<double> any{-1, 1};
@@ -47,7 +48,8 @@ BENCHMARK(connecting)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecon
 
 void u_turn(benchmark::State& state) {
   const double aside = static_cast<double>(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(connections({{0, 0}, 0}, {{0, aside}, std::numbers::pi}, kRobot));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(connections({{0, 0}, 0}, {{0, aside}, std::numbers::pi}, kRobot));
 }
 BENCHMARK(u_turn)->Arg(3)->Arg(6)->Arg(24)->Unit(benchmark::kMicrosecond);
 
