@@ -9,8 +9,10 @@ namespace {
 // A 3 m field robot of the usual kind: four wheels, front steering, tool mounted behind the rear axle.
 Machine robot_3m() { return Machine{}; }
 
-// Cariou et al. 2020, section III and table I: 500 kg, L = 1.2 m, 30 degrees, 45 degrees/s, turns at 2 m/s, 1 m wide. With
-// --max-steer 18 it is the fleet's virtual robot of n = 4: K = tan(18 deg)/1.2 = .271, g = tan(.01 w/v)/(.01 L) = .327.
+// Cariou et al. 2020, section III and table I: 500 kg, L = 1.2 m, 30 degrees, 45 degrees/s, turns at 2 m/s, 1
+// m wide. With
+// --max-steer 18 it is the fleet's virtual robot of n = 4: K = tan(18 deg)/1.2 = .271, g = tan(.01 w/v)/(.01
+// L) = .327.
 Machine p3() {
   Machine m;
   m.preset = "p3";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <polyclipping/clipper.hpp>
 
 namespace selion {
@@ -12,15 +13,19 @@ using ClipperLib::cInt;
 using ClipperLib::IntPoint;
 using ClipperLib::Paths;
 
-constexpr double kGrid_per_m = 1e6;           // 1 um: a thousandth of the finest tolerance that anything here is held to
-constexpr double kLeastPart_m2 = 1e-6;        // what rounding to the grid can leave behind
+constexpr double kGrid_per_m =
+    1e6;  // 1 um: a thousandth of the finest tolerance that anything here is held to
+constexpr double kLeastPart_m2 = 1e-6;  // what rounding to the grid can leave behind
 constexpr double kArcTolerance_m = 1e-3;
 
 IntPoint to_grid(Point p) {
-  return {static_cast<cInt>(std::llround(p.x_m * kGrid_per_m)), static_cast<cInt>(std::llround(p.y_m * kGrid_per_m))};
+  return {static_cast<cInt>(std::llround(p.x_m * kGrid_per_m)),
+          static_cast<cInt>(std::llround(p.y_m * kGrid_per_m))};
 }
 
-Point from_grid(IntPoint p) { return {static_cast<double>(p.X) / kGrid_per_m, static_cast<double>(p.Y) / kGrid_per_m}; }
+Point from_grid(IntPoint p) {
+  return {static_cast<double>(p.X) / kGrid_per_m, static_cast<double>(p.Y) / kGrid_per_m};
+}
 
 ClipperLib::Path to_grid(const std::vector<Point>& points) {
   ClipperLib::Path path;
@@ -61,8 +66,8 @@ void collect(const ClipperLib::PolyNode& node, Polygons& into) {
   }
 }
 
-/// Anticlockwise shells, clockwise holes, largest first; equal areas in order of their lowest corner, so that the order
-/// never hangs on how the sweep went.
+/// Anticlockwise shells, clockwise holes, largest first; equal areas in order of their lowest corner, so that
+/// the order never hangs on how the sweep went.
 Polygons from_grid(const ClipperLib::PolyTree& tree) {
   Polygons areas;
   collect(tree, areas);
@@ -71,7 +76,8 @@ Polygons from_grid(const ClipperLib::PolyTree& tree) {
     for (Ring& hole : area.holes)
       if (signed_area_m2(hole) > 0) std::reverse(hole.begin(), hole.end());
   }
-  std::stable_sort(areas.begin(), areas.end(), [](const Polygon& a, const Polygon& b) { return area_m2(a) > area_m2(b); });
+  std::stable_sort(areas.begin(), areas.end(),
+                   [](const Polygon& a, const Polygon& b) { return area_m2(a) > area_m2(b); });
   return areas;
 }
 

@@ -13,7 +13,8 @@ Box box_of(Point a, Point b) {
 
 Box grown(Box box, double by_m) { return {box.low - Point{by_m, by_m}, box.high + Point{by_m, by_m}}; }
 
-/// Is all of segment a-b right of (outside) one edge of the shape, or the shape all on one side of the segment?
+/// Is all of segment a-b right of (outside) one edge of the shape, or the shape all on one side of the
+/// segment?
 bool apart(const std::vector<Point>& shape, Point a, Point b) {
   for (std::size_t i = 0, j = shape.size() - 1; i < shape.size(); j = i++) {
     const Point along = shape[i] - shape[j];
@@ -29,7 +30,8 @@ bool apart(const std::vector<Point>& shape, Point a, Point b) {
 
 FreeSpace::FreeSpace(const Polygon& area, double reach_m) : area_{area} {
   const auto take = [this](const Ring& ring) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) edges_.push_back({ring[j], ring[i]});
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+      edges_.push_back({ring[j], ring[i]});
   };
   take(area.shell);
   for (const Ring& hole : area.holes) take(hole);
@@ -57,7 +59,8 @@ FreeSpace::Cells FreeSpace::cells_of(Box box) const {
 }
 
 std::size_t FreeSpace::index(int column, int row) const {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(column);
 }
 
 /// Walks along the edge in steps of a cell, so that a long slanted edge does not fill its whole box.

@@ -8,15 +8,17 @@
 namespace selion {
 namespace {
 
-/// Sign of the turn a -> b -> c: in doubles where the rounding error cannot change it (Shewchuk 1997, filter A), else in
-/// long doubles, whose 64-bit products of field-sized differences are exact far below a micrometre.
+/// Sign of the turn a -> b -> c: in doubles where the rounding error cannot change it (Shewchuk 1997, filter
+/// A), else in long doubles, whose 64-bit products of field-sized differences are exact far below a
+/// micrometre.
 int turn_sign(Point a, Point b, Point c) {
   const double left = (b.x_m - a.x_m) * (c.y_m - a.y_m);
   const double right = (b.y_m - a.y_m) * (c.x_m - a.x_m);
   const double det = left - right;
   if (std::abs(det) > 4e-16 * (std::abs(left) + std::abs(right))) return det > 0 ? 1 : -1;
   using Wide = long double;
-  const Wide wide = (Wide{b.x_m} - a.x_m) * (Wide{c.y_m} - a.y_m) - (Wide{b.y_m} - a.y_m) * (Wide{c.x_m} - a.x_m);
+  const Wide wide =
+      (Wide{b.x_m} - a.x_m) * (Wide{c.y_m} - a.y_m) - (Wide{b.y_m} - a.y_m) * (Wide{c.x_m} - a.x_m);
   return wide > 0 ? 1 : wide < 0 ? -1 : 0;
 }
 
@@ -42,8 +44,10 @@ Side side_of(const Ring& ring, Point p) {
 double signed_area_m2(const Ring& ring) {
   if (ring.empty()) return 0;
   double twice = 0;
-  const Point origin = ring.front();  // differences keep the digits of a small field far from its frame's origin
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) twice += cross(ring[j] - origin, ring[i] - origin);
+  const Point origin =
+      ring.front();  // differences keep the digits of a small field far from its frame's origin
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    twice += cross(ring[j] - origin, ring[i] - origin);
   return twice / 2;
 }
 

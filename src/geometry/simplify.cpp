@@ -15,7 +15,8 @@ double distance_to_segment_m(Point p, Point a, Point b) {
 }
 
 /// Marks the corners to keep between `first` and `last`, ends kept already.
-void keep_between(const Ring& ring, std::size_t first, std::size_t last, double tolerance_m, std::vector<bool>& keep) {
+void keep_between(const Ring& ring, std::size_t first, std::size_t last, double tolerance_m,
+                  std::vector<bool>& keep) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
   while (!open.empty()) {
     const auto [from, to] = open.back();
@@ -37,8 +38,11 @@ void keep_between(const Ring& ring, std::size_t first, std::size_t last, double 
 
 Ring simplified(const Ring& ring, double tolerance_m) {
   if (ring.size() < 4) return ring;
-  const auto farther = [&ring](const Point& a, const Point& b) { return distance_m(ring[0], a) < distance_m(ring[0], b); };
-  const auto opposite = static_cast<std::size_t>(std::max_element(ring.begin(), ring.end(), farther) - ring.begin());
+  const auto farther = [&ring](const Point& a, const Point& b) {
+    return distance_m(ring[0], a) < distance_m(ring[0], b);
+  };
+  const auto opposite =
+      static_cast<std::size_t>(std::max_element(ring.begin(), ring.end(), farther) - ring.begin());
   std::vector<bool> keep(ring.size(), false);
   keep[0] = keep[opposite] = true;
   keep_between(ring, 0, opposite, tolerance_m, keep);

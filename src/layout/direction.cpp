@@ -103,8 +103,8 @@ DrivingDirection best_edge_direction(const Polygon& area) {
     const Point direction = (1 / length_m(edge.along)) * edge.along;
     const double across_m = cross(below, direction) - cross(above, direction);
     const double level_m = 1e-9 * (1 + std::abs(across_m));  // equal but for rounding: the longer edge wins
-    const bool better = across_m < least_m - level_m ||
-                        (across_m < least_m + level_m && best != nullptr && length_m(edge.along) > length_m(best->along) + 1e-6);
+    const bool better = across_m < least_m - level_m || (across_m < least_m + level_m && best != nullptr &&
+                                                         length_m(edge.along) > length_m(best->along) + 1e-6);
     if (!better) continue;
     least_m = std::min(least_m, across_m);
     best = &edge;
@@ -113,7 +113,8 @@ DrivingDirection best_edge_direction(const Polygon& area) {
 }
 
 Result<P3Direction> p3_direction(const Polygon& area) {
-  if (!area.holes.empty()) return Infeasible{"direction p3 knows no holes: every line across one leaves and re-enters the field"};
+  if (!area.holes.empty())
+    return Infeasible{"direction p3 knows no holes: every line across one leaves and re-enters the field"};
   P3Direction best;
   best.box_m2 = std::numeric_limits<double>::infinity();
   for (int rotation = 1; rotation <= 180; ++rotation) {
@@ -123,10 +124,13 @@ Result<P3Direction> p3_direction(const Polygon& area) {
     if (size.y_m < size.x_m || !monotone_in_x(turned)) continue;
     const double box_m2 = size.x_m * size.y_m;
     if (box_m2 >= best.box_m2) continue;
-    best = {DrivingDirection::radians(radians_of_degrees(90 - rotation)), static_cast<double>(rotation), box_m2};
+    best = {DrivingDirection::radians(radians_of_degrees(90 - rotation)), static_cast<double>(rotation),
+            box_m2};
   }
   if (!std::isfinite(best.box_m2))
-    return Infeasible{"direction p3 finds no heading without a gap along the swaths: the field is too concave; use direction edge"};
+    return Infeasible{
+        "direction p3 finds no heading without a gap along the swaths: the field is too concave; use "
+        "direction edge"};
   return best;
 }
 

@@ -10,15 +10,18 @@
 namespace selion {
 namespace {
 
-/// Headland rings follow the border to within this much; they overlap by twice as much so that no sliver stays between.
+/// Headland rings follow the border to within this much; they overlap by twice as much so that no sliver
+/// stays between.
 constexpr double kFollow_m = 0.02;
-/// A turn this much longer than the shortest is taken where that saves depth; longer ones loop over the swaths.
+/// A turn this much longer than the shortest is taken where that saves depth; longer ones loop over the
+/// swaths.
 constexpr double kNotMuchLonger = 1.2;
 
 double farthest_x_m(const Footprint& f, const Pose& pose) {
   double most = -std::numeric_limits<double>::infinity();
-  for (const Point corner : {Point{f.front_m, f.half_body_m}, Point{f.front_m, -f.half_body_m}, Point{-f.rear_m, f.half_body_m},
-                             Point{-f.rear_m, -f.half_body_m}, Point{f.tool_x_m, f.half_tool_m}, Point{f.tool_x_m, -f.half_tool_m}})
+  for (const Point corner : {Point{f.front_m, f.half_body_m}, Point{f.front_m, -f.half_body_m},
+                             Point{-f.rear_m, f.half_body_m}, Point{-f.rear_m, -f.half_body_m},
+                             Point{f.tool_x_m, f.half_tool_m}, Point{f.tool_x_m, -f.half_tool_m}})
     most = std::max(most, placed(pose, corner).x_m);
   return most;
 }
@@ -80,7 +83,8 @@ double mainland_inset_m(const Ground& ground, int passes) {
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
   std::vector<HeadlandPass> laid;
   for (int ring = 1; ring <= passes; ++ring)
-    for (const Ring& line : rings_of(without_slits(ground, inset(ground.workable, ring_inset_m(ground, ring)))))
+    for (const Ring& line :
+         rings_of(without_slits(ground, inset(ground.workable, ring_inset_m(ground, ring)))))
       for (HeadlandRun& run : drivable_along(ground, line))
         laid.push_back({"H" + std::to_string(laid.size() + 1), ring, std::move(run.path), run.closed});
   return laid;

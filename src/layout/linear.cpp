@@ -33,10 +33,12 @@ int passes_for(const Ground& ground, double depth_m) {
 
 Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, double depth_m) {
   const double need = 2 * (ground.edge_margin_m + mainland_inset_m(ground, passes));
-  return Infeasible{"too narrow: the headlands need " + fixed(need, 1) + " m of width (" + std::to_string(passes) +
-                    (passes == 1 ? " pass" : " passes") + " of " + fixed(ground.machine.working_width_m, 2) +
-                    " m on either side; a U-turn is " + fixed(depth_m, 1) + " m deep), the block is " + fixed(widest_m(all), 1) +
-                    " m wide at its widest place; a narrower or more agile machine, or fewer headland passes, may do"};
+  return Infeasible{
+      "too narrow: the headlands need " + fixed(need, 1) + " m of width (" + std::to_string(passes) +
+      (passes == 1 ? " pass" : " passes") + " of " + fixed(ground.machine.working_width_m, 2) +
+      " m on either side; a U-turn is " + fixed(depth_m, 1) + " m deep), the block is " +
+      fixed(widest_m(all), 1) +
+      " m wide at its widest place; a narrower or more agile machine, or fewer headland passes, may do"};
 }
 
 }  // namespace
@@ -44,7 +46,8 @@ Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, dou
 Result<Layout> lay_linear(const Block& block, const Machine& machine, const LayoutOptions& options) {
   const Ground ground = ground_of(block, machine, options.edge_margin_m);
   Layout layout;
-  layout.along = options.ab ? DrivingDirection::radians(heading_rad(options.ab->b - options.ab->a)) : options.along;
+  layout.along =
+      options.ab ? DrivingDirection::radians(heading_rad(options.ab->b - options.ab->a)) : options.along;
   layout.turn_depth_m = turn_depth_m(machine, machine.working_width_m - options.overlap_m);
   layout.passes = options.passes.value_or(passes_for(ground, layout.turn_depth_m));
   layout.headland_depth_m = options.edge_margin_m + mainland_inset_m(ground, layout.passes);
@@ -52,8 +55,9 @@ Result<Layout> lay_linear(const Block& block, const Machine& machine, const Layo
   layout.headland = subtract({block.area}, layout.mainland);
   if (layout.mainland.empty()) return too_narrow(ground, {block.area}, layout.passes, layout.turn_depth_m);
   if (layout.headland_depth_m < layout.turn_depth_m)
-    layout.notes.push_back("the headland is " + fixed(layout.headland_depth_m, 1) + " m deep, a U-turn needs " +
-                           fixed(layout.turn_depth_m, 1) + " m: the machine has to turn by other ways");
+    layout.notes.push_back("the headland is " + fixed(layout.headland_depth_m, 1) +
+                           " m deep, a U-turn needs " + fixed(layout.turn_depth_m, 1) +
+                           " m: the machine has to turn by other ways");
   layout.headland_passes = lay_headland(ground, layout.passes);
   layout.swaths = lay_swaths(ground, layout.mainland, options, layout.ab);
   if (layout.swaths.empty()) return too_narrow(ground, {block.area}, layout.passes, layout.turn_depth_m);

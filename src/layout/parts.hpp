@@ -13,18 +13,20 @@ namespace selion {
 struct Ground {
   Machine machine;
   Footprint footprint;
-  FreeSpace space;            ///< where body and tool may be
-  Polygons workable;          ///< where the tool is to work: the free area less the edge margin
-  double half_m = 0;          ///< of the wider of tool and body
+  FreeSpace space;    ///< where body and tool may be
+  Polygons workable;  ///< where the tool is to work: the free area less the edge margin
+  double half_m = 0;  ///< of the wider of tool and body
   double edge_margin_m = 0;
 };
 
 Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m);
 
-/// How far tool, body and axle go beyond the end of a swath in the U-turn to its neighbour, the end square to the swath.
+/// How far tool, body and axle go beyond the end of a swath in the U-turn to its neighbour, the end square to
+/// the swath.
 double turn_depth_m(const Machine& machine, double spacing_m);
 
-/// From the workable area's border to the axle's ring `ring` (from 1), and to the swaths' area inside `passes` rings.
+/// From the workable area's border to the axle's ring `ring` (from 1), and to the swaths' area inside
+/// `passes` rings.
 double ring_inset_m(const Ground& ground, int ring);
 double mainland_inset_m(const Ground& ground, int passes);
 
@@ -36,16 +38,18 @@ struct HeadlandRun {
   bool closed = true;
 };
 
-/// Paths along `ring` (its free side on the left), rounded inwards at left turns and swung out at right turns: one closed
-/// path where the machine can go round, else the runs that it can drive.
+/// Paths along `ring` (its free side on the left), rounded inwards at left turns and swung out at right
+/// turns: one closed path where the machine can go round, else the runs that it can drive.
 std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring);
 
-std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options, AbLine& ab);
+std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
+                              AbLine& ab);
 
 /// Straight pieces over what headland and swaths leave unworked, where it is worth a pass.
 std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout);
 
-/// The part of the strip around a-b (the tool's centre line) over which the tool can be driven, as spans from a.
+/// The part of the strip around a-b (the tool's centre line) over which the tool can be driven, as spans from
+/// a.
 std::vector<Span1> drivable_spans(const Ground& ground, Point a, Point b);
 
 Ring strip(Point a, Point b, double width_m);

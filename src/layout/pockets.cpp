@@ -9,9 +9,9 @@
 namespace selion {
 namespace {
 
-constexpr double kSliver_m = 0.1;         // gaps narrower than twice this are guidance error, not a pocket
-constexpr double kPassWorth = 0.75;       // of a square of the working width: least area worth a pass
-constexpr double kLeastLength = 1.5;      // of the working width
+constexpr double kSliver_m = 0.1;     // gaps narrower than twice this are guidance error, not a pocket
+constexpr double kPassWorth = 0.75;   // of a square of the working width: least area worth a pass
+constexpr double kLeastLength = 1.5;  // of the working width
 constexpr int kRounds = 2;
 
 Polygons covered_by(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets) {
@@ -68,7 +68,8 @@ std::vector<Find> finds_under(const Polygon& part, Point a, Point b, double widt
   std::vector<Find> finds;
   for (const Polygon& gained : intersect({part}, {Polygon{strip(a, b, width_m), {}}}))
     finds.push_back({reach_of(gained.shell, axis), area_m2(gained)});
-  std::sort(finds.begin(), finds.end(), [](const Find& p, const Find& q) { return p.along.low_m < q.along.low_m; });
+  std::sort(finds.begin(), finds.end(),
+            [](const Find& p, const Find& q) { return p.along.low_m < q.along.low_m; });
   std::vector<Find> merged;
   for (const Find& find : finds) {
     if (merged.empty() || find.along.low_m - merged.back().along.high_m > width_m) {
@@ -92,14 +93,17 @@ std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
   const int count = std::max(1, static_cast<int>(std::ceil((span - kSliver_m) / width)));
   std::vector<Swath> pieces;
   for (int k = 0; k < count; ++k) {
-    const double c = count == 1 ? (across.low_m + across.high_m) / 2 : across.low_m + width / 2 + (span - width) * k / (count - 1);
+    const double c = count == 1 ? (across.low_m + across.high_m) / 2
+                                : across.low_m + width / 2 + (span - width) * k / (count - 1);
     const Point origin = c * side;
-    for (const Find& find : finds_under(part, along.low_m * axis + origin, along.high_m * axis + origin, width)) {
+    for (const Find& find :
+         finds_under(part, along.low_m * axis + origin, along.high_m * axis + origin, width)) {
       const double length = find.along.high_m - find.along.low_m;
       if (find.area_m2 < kPassWorth * width * std::max(width, length / 2) || length < kSliver_m) continue;
       const Point a = find.along.low_m * axis + origin;
       for (const Span1& run : drivable_spans(ground, a, find.along.high_m * axis + origin))
-        if (run.to_m - run.from_m > kSliver_m) pieces.push_back({"", 0, a + run.from_m * axis, a + run.to_m * axis});
+        if (run.to_m - run.from_m > kSliver_m)
+          pieces.push_back({"", 0, a + run.from_m * axis, a + run.to_m * axis});
     }
   }
   return pieces;

@@ -11,20 +11,21 @@
 namespace selion {
 namespace {
 
-constexpr double kFollow_m = 0.02;         // how far the corner line may stray from the ring
+constexpr double kFollow_m = 0.02;  // how far the corner line may stray from the ring
 constexpr double kShortestEdge_m = 0.02;
-constexpr double kSharpest_rad = 2.6;      // a corner of the line turning more than this is cut off
-constexpr double kPush_m = 0.15;           // how far a corner that does not fit moves at a time
+constexpr double kSharpest_rad = 2.6;  // a corner of the line turning more than this is cut off
+constexpr double kPush_m = 0.15;       // how far a corner that does not fit moves at a time
 constexpr int kMostRepairs = 60;
-constexpr double kGentleCut_m = 0.05;      // a corner may be driven at working speed if that cuts no more than this
+constexpr double kGentleCut_m =
+    0.05;  // a corner may be driven at working speed if that cuts no more than this
 
-constexpr double kLeastRun = 1;            // of the working width: shorter runs are not worth a pass
+constexpr double kLeastRun = 1;  // of the working width: shorter runs are not worth a pass
 
 bool is_line(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
 
 struct Vertex {
   Point at;
-  bool pushed = false;     // swung out already: its neighbours on the edges stand
+  bool pushed = false;  // swung out already: its neighbours on the edges stand
   double turn_rad = 0;
   double tangent_m = 0;
   CurveLimits limits;
@@ -36,8 +37,10 @@ Path straightened(const Path& path) {
   for (const Stretch& stretch : path) {
     const bool line_on = !out.empty() && is_line(out.back().curve) && is_line(stretch.curve) &&
                          std::abs(wrapped(out.back().curve.heading_rad - stretch.curve.heading_rad)) < 1e-12;
-    if (line_on) out.back().curve.length_m += stretch.curve.length_m;
-    else out.push_back(stretch);
+    if (line_on)
+      out.back().curve.length_m += stretch.curve.length_m;
+    else
+      out.push_back(stretch);
   }
   return out;
 }
@@ -67,7 +70,9 @@ class CornerLine {
 
  private:
   [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % vertices_.size(); }
-  [[nodiscard]] std::size_t previous(std::size_t i) const { return (i + vertices_.size() - 1) % vertices_.size(); }
+  [[nodiscard]] std::size_t previous(std::size_t i) const {
+    return (i + vertices_.size() - 1) % vertices_.size();
+  }
   [[nodiscard]] Point edge(std::size_t i) const { return vertices_[next(i)].at - vertices_[i].at; }
   [[nodiscard]] double room_m(std::size_t i) const {
     return length_m(edge(i)) - vertices_[i].tangent_m - vertices_[next(i)].tangent_m;
@@ -94,14 +99,15 @@ void CornerLine::measure(std::size_t i) {
   v.turn_rad = wrapped(heading_rad(edge(i)) - heading_rad(edge(previous(i))));
   v.limits = tight_;
   v.tangent_m = std::abs(v.turn_rad) > kSharpest_rad ? std::numeric_limits<double>::infinity()
-                                                      : corner_of(v.turn_rad, tight_).tangent_m;
+                                                     : corner_of(v.turn_rad, tight_).tangent_m;
 }
 
 void CornerLine::measure_all() {
   for (std::size_t i = 0; i < vertices_.size(); ++i) measure(i);
 }
 
-/// Puts the two ends of edge i into one corner, where the edges beside it meet. Only where both turn the same way.
+/// Puts the two ends of edge i into one corner, where the edges beside it meet. Only where both turn the same
+/// way.
 bool CornerLine::merge(std::size_t i) {
   if (vertices_.size() < 4) return false;
   const std::size_t j = next(i);
@@ -134,14 +140,19 @@ bool CornerLine::make_room() {
     std::size_t worst = vertices_.size();
     double least_m = 0;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const double room = length_m(edge(i)) < kShortestEdge_m ? -std::numeric_limits<double>::max() : room_m(i);
+      const double room =
+          length_m(edge(i)) < kShortestEdge_m ? -std::numeric_limits<double>::max() : room_m(i);
       if (room < least_m) least_m = room, worst = i;
     }
     if (worst == vertices_.size()) return true;
-    if (std::isinf(vertices_[worst].tangent_m)) drop(worst);
-    else if (std::isinf(vertices_[next(worst)].tangent_m)) drop(next(worst));
-    else if (length_m(edge(worst)) < kShortestEdge_m) drop(worst);
-    else relieve(worst);
+    if (std::isinf(vertices_[worst].tangent_m))
+      drop(worst);
+    else if (std::isinf(vertices_[next(worst)].tangent_m))
+      drop(next(worst));
+    else if (length_m(edge(worst)) < kShortestEdge_m)
+      drop(worst);
+    else
+      relieve(worst);
     measure_all();
   }
   return false;
@@ -192,7 +203,9 @@ std::vector<Path> CornerLine::edge_steps(std::size_t i) const {
     const int count = std::max(1, static_cast<int>(std::ceil(whole.curve.length_m / kStep_m)));
     const Point along = (whole.curve.length_m / count) * unit(whole.curve.heading_rad);
     for (int k = 0; k < count; ++k)
-      steps.push_back({{line(whole.curve.start + static_cast<double>(k) * along, whole.curve.start + (k + 1.0) * along), Gear::forward}});
+      steps.push_back(
+          {{line(whole.curve.start + static_cast<double>(k) * along, whole.curve.start + (k + 1.0) * along),
+            Gear::forward}});
   }
   return steps;
 }
@@ -203,18 +216,23 @@ std::vector<HeadlandRun> CornerLine::fitting_runs() const {
     for (Path& step : edge_steps(i)) steps.push_back(std::move(step));
     steps.push_back(corner_path(next(i)));
   }
-  const auto holds = [this](const Path& step) { return selion::fits(ground_.space, ground_.footprint, step); };
+  const auto holds = [this](const Path& step) {
+    return selion::fits(ground_.space, ground_.footprint, step);
+  };
   const auto gap = std::find_if_not(steps.begin(), steps.end(), holds);
   std::rotate(steps.begin(), gap, steps.end());  // so that no run crosses the seam
   std::vector<HeadlandRun> runs;
   Path run;
   const auto close = [&] {
-    if (length_m(run) >= kLeastRun * ground_.machine.working_width_m) runs.push_back({straightened(run), false});
+    if (length_m(run) >= kLeastRun * ground_.machine.working_width_m)
+      runs.push_back({straightened(run), false});
     run.clear();
   };
   for (const Path& step : steps) {
-    if (holds(step)) append(run, step);
-    else close();
+    if (holds(step))
+      append(run, step);
+    else
+      close();
   }
   close();
   return runs;
@@ -257,8 +275,10 @@ bool CornerLine::repair() {
       continue;
     }
     moved = true;
-    if (vertices_[i].turn_rad > 0) chamfer(i, repaired);
-    else swing_out(i, repaired);
+    if (vertices_[i].turn_rad > 0)
+      chamfer(i, repaired);
+    else
+      swing_out(i, repaired);
   }
   vertices_ = std::move(repaired);
   return moved;

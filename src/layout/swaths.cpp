@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "parts.hpp"
 
@@ -36,7 +37,8 @@ Extent extent(const Polygons& areas, Point axis) {
   return out;
 }
 
-/// One strip's centre, across, and its number: 1, 2, ... to the right from the AB line, 0, -1, ... to its left.
+/// One strip's centre, across, and its number: 1, 2, ... to the right from the AB line, 0, -1, ... to its
+/// left.
 struct Strip {
   int number = 1;
   double c_m = 0;
@@ -45,7 +47,8 @@ struct Strip {
 std::vector<Strip> strips_from_line(double line_m, Extent across, double width_m, double spacing_m) {
   std::vector<Strip> strips;
   const auto first = static_cast<int>(std::floor((across.low_m - width_m / 2 - line_m) / spacing_m)) + 1;
-  for (int k = first; line_m + k * spacing_m - width_m / 2 < across.high_m; ++k) strips.push_back({k + 1, line_m + k * spacing_m});
+  for (int k = first; line_m + k * spacing_m - width_m / 2 < across.high_m; ++k)
+    strips.push_back({k + 1, line_m + k * spacing_m});
   return strips;
 }
 
@@ -57,14 +60,18 @@ std::vector<Strip> strips_to_fit(Extent across, double width_m, double spacing_m
   const int count = static_cast<int>(std::ceil((span - width_m - kSame_m) / spacing_m)) + 1;
   std::vector<Strip> strips;
   for (int k = 0; k < count; ++k)
-    strips.push_back({k + 1, std::min(across.low_m + width_m / 2 + k * spacing_m, across.high_m - width_m / 2)});
+    strips.push_back(
+        {k + 1, std::min(across.low_m + width_m / 2 + k * spacing_m, across.high_m - width_m / 2)});
   return strips;
 }
 
-/// What of the strip is to be worked, along its axis: each part's full extent, so that slanted ends leave no wedge.
-std::vector<Extent> wanted(const Polygons& mainland, const Axes& axes, double c_m, Extent along, double width_m) {
+/// What of the strip is to be worked, along its axis: each part's full extent, so that slanted ends leave no
+/// wedge.
+std::vector<Extent> wanted(const Polygons& mainland, const Axes& axes, double c_m, Extent along,
+                           double width_m) {
   const double least_m2 = 0.02 * width_m * width_m;  // not worth a pass
-  const Ring rectangle = strip(axes.at(along.low_m - kRunPast_m, c_m), axes.at(along.high_m + kRunPast_m, c_m), width_m);
+  const Ring rectangle =
+      strip(axes.at(along.low_m - kRunPast_m, c_m), axes.at(along.high_m + kRunPast_m, c_m), width_m);
   std::vector<Extent> parts;
   for (const Polygon& part : intersect(mainland, {Polygon{rectangle, {}}})) {
     if (area_m2(part) < least_m2) continue;
@@ -73,8 +80,10 @@ std::vector<Extent> wanted(const Polygons& mainland, const Axes& axes, double c_
   std::sort(parts.begin(), parts.end(), [](const Extent& p, const Extent& q) { return p.low_m < q.low_m; });
   std::vector<Extent> merged;
   for (const Extent& part : parts) {
-    if (!merged.empty() && part.low_m - merged.back().high_m < width_m) merged.back().take(part.high_m);
-    else merged.push_back(part);
+    if (!merged.empty() && part.low_m - merged.back().high_m < width_m)
+      merged.back().take(part.high_m);
+    else
+      merged.push_back(part);
   }
   return merged;
 }
@@ -86,7 +95,8 @@ std::string strip_name(int number) {
 /// a, b, ..., z, aa, ab, ...
 std::string letters(std::size_t index) {
   std::string out;
-  for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26) out.insert(out.begin(), static_cast<char>('a' + (rest - 1) % 26));
+  for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26)
+    out.insert(out.begin(), static_cast<char>('a' + (rest - 1) % 26));
   return out;
 }
 
@@ -99,7 +109,8 @@ std::optional<Swath> trimmed(const Ground& ground, Swath piece) {
     const Path back = swath_path(ground.machine, piece.to, piece.from);
     const bool far_end = fits(ground.space, ground.footprint, end_pose(there));
     const bool near_end = fits(ground.space, ground.footprint, end_pose(back));
-    if (far_end && near_end) return fits(ground.space, ground.footprint, there) ? std::optional{piece} : std::nullopt;
+    if (far_end && near_end)
+      return fits(ground.space, ground.footprint, there) ? std::optional{piece} : std::nullopt;
     const Point step = (kTrim_m / length) * (piece.to - piece.from);
     if (!far_end) piece.to = piece.to - step;
     if (!near_end) piece.from = piece.from + step;
@@ -123,12 +134,14 @@ std::vector<Span1> drivable_spans(const Ground& ground, Point a, Point b) {
   const double length = distance_m(a, b);
   const Point along = (1 / length) * (b - a);
   std::vector<Span1> blocked;
-  for (const Polygon& part : subtract({Polygon{strip(a, b, ground.machine.working_width_m - 2e-3), {}}}, ground.workable)) {
+  for (const Polygon& part :
+       subtract({Polygon{strip(a, b, ground.machine.working_width_m - 2e-3), {}}}, ground.workable)) {
     Extent span;
     for (const Point p : part.shell) span.take(dot(p - a, along));
     blocked.push_back({span.low_m, span.high_m});
   }
-  std::sort(blocked.begin(), blocked.end(), [](const Span1& p, const Span1& q) { return p.from_m < q.from_m; });
+  std::sort(blocked.begin(), blocked.end(),
+            [](const Span1& p, const Span1& q) { return p.from_m < q.from_m; });
   std::vector<Span1> spans;
   double from = 0;
   for (const Span1& block : blocked) {
@@ -139,16 +152,19 @@ std::vector<Span1> drivable_spans(const Ground& ground, Point a, Point b) {
   return spans;
 }
 
-std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options, AbLine& ab) {
+namespace {
+
+std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
+                                double heading) {
   const double width = ground.machine.working_width_m;
-  const double heading = options.ab ? heading_rad(options.ab->b - options.ab->a) : options.along.radians();
   const Axes axes{unit(heading), -1 * left_of(unit(heading))};
   const Extent along = extent(mainland, axes.along);
   const Extent across = extent(mainland, axes.right);
   const double spacing = width - options.overlap_m;
   const std::vector<Strip> strips =
-      options.ab ? strips_from_line(dot(options.ab->a, axes.right) + options.ab_shift_m, across, width, spacing)
-                 : strips_to_fit(across, width, spacing);
+      options.ab
+          ? strips_from_line(dot(options.ab->a, axes.right) + options.ab_shift_m, across, width, spacing)
+          : strips_to_fit(across, width, spacing);
   std::vector<Swath> swaths;
   for (const Strip& row : strips) {
     std::vector<Swath> pieces;
@@ -156,15 +172,41 @@ std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, co
       const Point a = axes.at(part.low_m, row.c_m);
       const Point b = axes.at(part.high_m, row.c_m);
       for (const Span1& span : drivable_spans(ground, a, b))
-        if (auto piece = trimmed(ground, {"", row.number, a + span.from_m * axes.along, a + span.to_m * axes.along}))
+        if (auto piece =
+                trimmed(ground, {"", row.number, a + span.from_m * axes.along, a + span.to_m * axes.along}))
           pieces.push_back(*piece);
     }
     for (std::size_t k = 0; k < pieces.size(); ++k)
       pieces[k].id = strip_name(row.number) + (pieces.size() > 1 ? letters(k) : "");
     swaths.insert(swaths.end(), pieces.begin(), pieces.end());
   }
-  if (options.ab) ab = *options.ab;
-  else if (!swaths.empty()) ab = {swaths.front().from, swaths.front().to};
+  return swaths;
+}
+
+double length_of_strip_m(const std::vector<Swath>& swaths, int strip) {
+  double sum = 0;
+  for (const Swath& swath : swaths)
+    if (swath.strip == strip) sum += distance_m(swath.from, swath.to);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
+                              AbLine& ab) {
+  if (options.ab) {
+    ab = *options.ab;
+    return swaths_along(ground, mainland, options, heading_rad(ab.b - ab.a));
+  }
+  const double heading = options.along.radians();
+  std::vector<Swath> swaths = swaths_along(ground, mainland, options, heading);
+  if (swaths.empty()) return swaths;
+  // numbered from the longer side: a long AB line, and the shifted last strip where it overlaps least
+  if (length_of_strip_m(swaths, swaths.back().strip) > length_of_strip_m(swaths, swaths.front().strip) + 1)
+    swaths = swaths_along(ground, mainland, options, heading + std::numbers::pi);
+  const auto last = std::find_if(swaths.rbegin(), swaths.rend(),
+                                 [&](const Swath& swath) { return swath.strip == swaths.front().strip; });
+  ab = {swaths.front().from, last->to};
   return swaths;
 }
 

@@ -8,15 +8,19 @@
 namespace selion {
 namespace {
 
-constexpr double kRoom_m = 0.1;   // on either side: nobody steers a machine through a neck of just its own width
+constexpr double kRoom_m =
+    0.1;  // on either side: nobody steers a machine through a neck of just its own width
 constexpr double kTouch_m = 0.01;
 
-bool touches(const Polygon& a, const Polygon& b) { return !intersect(outset_round({a}, kTouch_m), {b}).empty(); }
+bool touches(const Polygon& a, const Polygon& b) {
+  return !intersect(outset_round({a}, kTouch_m), {b}).empty();
+}
 
 /// What the machine can reach inside each core: the core grown back, within the block.
 Polygons reached(const Block& block, const Polygons& cores, double half_m) {
   Polygons areas;
-  for (const Polygon& core : cores) areas.push_back(intersect(outset_round({core}, half_m), {block.area}).front());
+  for (const Polygon& core : cores)
+    areas.push_back(intersect(outset_round({core}, half_m), {block.area}).front());
   return areas;
 }
 
@@ -43,7 +47,9 @@ bool leads_into(const BlockGate& gate, const Polygon& zone) {
 std::vector<Block> zones_of(const Block& block, const Machine& machine) {
   const double half_m = std::max(machine.working_width_m, machine.body_width_m) / 2 + kRoom_m;
   Polygons cores = inset_round({block.free}, half_m);
-  std::erase_if(cores, [&](const Polygon& core) { return area_m2(core) < machine.working_width_m * machine.working_width_m; });
+  std::erase_if(cores, [&](const Polygon& core) {
+    return area_m2(core) < machine.working_width_m * machine.working_width_m;
+  });
   if (cores.size() < 2) return {block};
   Polygons areas = reached(block, cores, half_m);
   share_out(block, areas);

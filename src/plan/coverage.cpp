@@ -9,7 +9,7 @@
 namespace selion {
 namespace {
 
-constexpr double kGap_m = 0.005;   // narrower than twice this is rounding between sweeps, not unworked ground
+constexpr double kGap_m = 0.005;  // narrower than twice this is rounding between sweeps, not unworked ground
 
 /// The areas of some pieces: each for itself, summed, and all together.
 struct Swept {
@@ -53,8 +53,10 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
   for (const Swath& pocket : layout.pockets) pocket_ids.insert(pocket.id);
   Tally headland_tally, swath_tally, pocket_tally;
   for (const RoutePiece& piece : route.pieces) {
-    if (piece.kind == PieceKind::headland_pass) headland_tally.add(swept_by(footprint, piece.path));
-    else if (piece.kind == PieceKind::swath) (pocket_ids.contains(piece.ref) ? pocket_tally : swath_tally).add(swept_by(footprint, piece.path));
+    if (piece.kind == PieceKind::headland_pass)
+      headland_tally.add(swept_by(footprint, piece.path));
+    else if (piece.kind == PieceKind::swath)
+      (pocket_ids.contains(piece.ref) ? pocket_tally : swath_tally).add(swept_by(footprint, piece.path));
   }
   const Swept headland = headland_tally.united();
   const Swept swaths = swath_tally.united();

@@ -12,7 +12,7 @@ namespace selion {
 struct Coverage {
   double covered_m2 = 0;
   WorkedTwice twice;
-  Polygons uncovered;      ///< largest first
+  Polygons uncovered;  ///< largest first
 };
 
 Coverage coverage_of(const Block& block, const Layout& layout, const Route& route, const Machine& machine);

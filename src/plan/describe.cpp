@@ -14,7 +14,7 @@ namespace selion {
 namespace {
 
 constexpr double kDatumWarning_m = 1;
-constexpr double kPlannedShare = 0.9;   // covered: less is a partial plan
+constexpr double kPlannedShare = 0.9;  // covered: less is a partial plan
 
 /// The cleaned area as text, to the tenth of a millimetre: the input that the plan's id stands for.
 std::string cleaned_text(const LocalFrame& frame, const Blocks& cleaned) {
@@ -35,24 +35,29 @@ void assume(Plan& plan, const Field& field, const Job& job) {
   const auto say = [&plan](std::string text) { plan.assumptions.push_back(std::move(text)); };
   say((job.machine_assumed ? "Machine: none was given, preset " : "Machine: ") + job.machine.preset +
       (job.machine_assumed ? " is assumed, " : ", ") + fixed(job.machine.working_width_m, 2) +
-      " m wide, turning radius " + fixed(1 / max_curvature_per_m(job.machine), 2) + " m. Mounted tools only.");
+      " m wide, turning radius " + fixed(1 / max_curvature_per_m(job.machine), 2) +
+      " m. Mounted tools only.");
   say("Flat ground: slopes are not considered.");
   say(job.field.boundary_accuracy_m
           ? "Boundary accurate to " + fixed(*job.field.boundary_accuracy_m, 2) + " m, as the job says."
-          : std::string{"Boundary accuracy unknown: drive the boundary once with RTK before relying on the edge margin of "} +
+          : std::string{"Boundary accuracy unknown: drive the boundary once with RTK before relying on the "
+                        "edge margin of "} +
                 fixed(job.field.edge_margin_m, 2) + " m.");
   say("Datum of the boundary: " + (field.datum.empty() ? std::string{"WGS 84"} : field.datum) +
-      (field.datum_accuracy_m ? ", converted to WGS 84 within " + fixed(*field.datum_accuracy_m, 2) + " m" : std::string{}) +
+      (field.datum_accuracy_m ? ", converted to WGS 84 within " + fixed(*field.datum_accuracy_m, 2) + " m"
+                              : std::string{}) +
       ". The machine's corrections must use the same datum.");
 }
 
 void warn(Plan& plan, const Field& field) {
   if (field.datum_accuracy_m && *field.datum_accuracy_m > kDatumWarning_m)
-    plan.file.warnings.push_back("The step from " + field.datum + " to WGS 84 is only accurate to " + fixed(*field.datum_accuracy_m, 1) +
+    plan.file.warnings.push_back("The step from " + field.datum + " to WGS 84 is only accurate to " +
+                                 fixed(*field.datum_accuracy_m, 1) +
                                  " m: see the notes for the missing grid.");
 }
 
-/// A place inside the part: its centroid, or where that lies outside, the middle of its longest inner span there.
+/// A place inside the part: its centroid, or where that lies outside, the middle of its longest inner span
+/// there.
 Point place_in(const Polygon& part) {
   const Point middle = centroid(part);
   if (contains(part, middle)) return middle;
@@ -66,6 +71,17 @@ Point place_in(const Polygon& part) {
     best = {a.x_m + (span.from_m + span.to_m) / 2, middle.y_m};
   }
   return best;
+}
+
+/// Time spent on each leg. A sample stands at every joint, as the end of one leg or the start of the next.
+std::vector<double> seconds_of(std::size_t legs, const std::vector<Sample>& samples) {
+  std::vector<double> spent(legs, 0);
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const Sample& before = samples[k - 1];
+    const Sample& after = samples[k];
+    spent[after.s_m > 0 ? after.leg : before.leg] += after.t_s - before.t_s;
+  }
+  return spent;
 }
 
 }  // namespace
@@ -115,8 +131,8 @@ BlockReport refused(const Block& block, const Infeasible& why) {
   return report;
 }
 
-BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
-                      const LocalFrame& frame, const Job& job) {
+BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
+                      const std::vector<Sample>& samples, const LocalFrame& frame, const Job& job) {
   const Layout& layout = planned.layout;
   const Coverage coverage = coverage_of(planned.block, layout, planned.route, job.machine);
   BlockReport report;
@@ -138,17 +154,13 @@ BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>
     if (piece.kind == PieceKind::turn) ++report.turns;
     if (piece.kind == PieceKind::transfer) ++report.transfers;
   }
-  std::vector<double> ends(pieces.size(), 0);  // when each leg is over
-  for (const Sample& sample : samples) ends[sample.leg] = std::max(ends[sample.leg], sample.t_s);
-  double before = 0;
+  const std::vector<double> spent = seconds_of(pieces.size(), samples);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const DrivePiece& piece = pieces[i];
     const double length = piece.leg.stretch.curve.length_m;
-    const double time = std::max(0.0, ends[i] - before);
-    before = std::max(before, ends[i]);
     const bool turn = piece.kind == "turn" || piece.kind == "wait";
     (piece.leg.tool_down ? report.work_m : turn ? report.turn_m : report.transfer_m) += length;
-    (piece.leg.tool_down ? report.work_s : turn ? report.turn_s : report.transfer_s) += time;
+    (piece.leg.tool_down ? report.work_s : turn ? report.turn_s : report.transfer_s) += spent[i];
     if (piece.leg.stretch.gear == Gear::reverse) report.reverse_m += length;
   }
   return report;
@@ -157,7 +169,9 @@ BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>
 std::vector<std::string> notes_of(const PlannedBlock& planned) {
   std::vector<std::string> notes = planned.layout.notes;
   notes.insert(notes.end(), planned.route.notes.begin(), planned.route.notes.end());
-  if (planned.block.gates.empty()) notes.push_back("No gate was given: the drive starts at the first swath and ends where the work is done.");
+  if (planned.block.gates.empty())
+    notes.push_back(
+        "No gate was given: the drive starts at the first swath and ends where the work is done.");
   std::string ids;
   for (const std::string& id : planned.route.left_out) ids += (ids.empty() ? "" : ", ") + id;
   if (!ids.empty()) notes.push_back("Left out, for the machine finds no way there and back: " + ids + ".");
@@ -175,15 +189,23 @@ void summarise(Plan& plan) {
     all.work_s += block.work_s, all.turn_s += block.turn_s, all.transfer_s += block.transfer_s;
     all.swaths += block.swaths, all.pieces += block.pieces;
     if (!block.refused.empty())
-      plan.file.warnings.push_back("Block " + std::to_string(block.number) + " (" + fixed(block.area_m2 / 1e4, 2) + " ha) is not planned: " + block.refused);
+      plan.file.warnings.push_back("Block " + std::to_string(block.number) + " (" +
+                                   fixed(block.area_m2 / 1e4, 2) + " ha) is not planned: " + block.refused);
     else if (block.covered_m2 < kPlannedShare * block.area_m2)
       plan.file.warnings.push_back("Block " + std::to_string(block.number) + " is only partly planned: " +
                                    fixed(100 * block.covered_m2 / block.area_m2, 1) + " % of it is covered.");
   }
-  plan.file.summary = {{"area_m2", all.area_m2},       {"covered_m2", all.covered_m2}, {"worked_twice_m2", all.twice.last_strip_m2},
-                       {"swaths", 1.0 * all.swaths},   {"pieces", 1.0 * all.pieces},   {"work_m", all.work_m},
-                       {"turn_m", all.turn_m},         {"transfer_m", all.transfer_m}, {"work_s", all.work_s},
-                       {"turn_s", all.turn_s},         {"transfer_s", all.transfer_s}};
+  plan.file.summary = {{"area_m2", all.area_m2},
+                       {"covered_m2", all.covered_m2},
+                       {"worked_twice_m2", all.twice.last_strip_m2},
+                       {"swaths", 1.0 * all.swaths},
+                       {"pieces", 1.0 * all.pieces},
+                       {"work_m", all.work_m},
+                       {"turn_m", all.turn_m},
+                       {"transfer_m", all.transfer_m},
+                       {"work_s", all.work_s},
+                       {"turn_s", all.turn_s},
+                       {"transfer_s", all.transfer_s}};
 }
 
 }  // namespace selion

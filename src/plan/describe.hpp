@@ -10,11 +10,12 @@
 
 namespace selion {
 
-/// A plan that holds the field, the job, the frame, what is assumed and what must be warned of, but no block yet.
+/// A plan that holds the field, the job, the frame, what is assumed and what must be warned of, but no block
+/// yet.
 Plan described(const Field& field, const Job& job, const LocalFrame& frame, const Blocks& cleaned);
 
-BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
-                      const LocalFrame& frame, const Job& job);
+BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
+                      const std::vector<Sample>& samples, const LocalFrame& frame, const Job& job);
 BlockReport refused(const Block& block, const Infeasible& why);
 std::vector<std::string> notes_of(const PlannedBlock& planned);
 /// "block 2: " where there are several, else nothing.

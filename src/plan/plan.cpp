@@ -23,8 +23,9 @@ Blocks for_machine(Blocks cleaned, const Machine& machine) {
   for (const Block& block : cleaned.blocks) {
     const std::vector<Block> parts = zones_of(block, machine);
     if (parts.size() > 1)
-      cleaned.notes.push_back("Block " + std::to_string(block.number) + " falls into " + std::to_string(parts.size()) +
-                              " blocks: the necks between them are too narrow for the machine at its full width.");
+      cleaned.notes.push_back(
+          "Block " + std::to_string(block.number) + " falls into " + std::to_string(parts.size()) +
+          " blocks: the necks between them are too narrow for the machine at its full width.");
     zones.insert(zones.end(), parts.begin(), parts.end());
   }
   for (std::size_t i = 0; i < zones.size(); ++i) zones[i].number = static_cast<int>(i) + 1;
@@ -33,7 +34,8 @@ Blocks for_machine(Blocks cleaned, const Machine& machine) {
 }
 
 LocalFrame frame_of(const Field& field, const Job& job) {
-  return job.frame.crs == "auto" ? LocalFrame::centred(centre(field)) : LocalFrame::of_crs(job.frame.crs, centre(field));
+  return job.frame.crs == "auto" ? LocalFrame::centred(centre(field))
+                                 : LocalFrame::of_crs(job.frame.crs, centre(field));
 }
 
 /// A compass heading in the local frame, whose north leans by the convergence.
@@ -41,14 +43,16 @@ DrivingDirection local_direction(const LocalFrame& frame, Point at, double beari
   return DrivingDirection::bearing_deg(bearing_deg - frame.convergence_deg(at));
 }
 
-/// A border's steps and wiggles smaller than half the working width cost no swath piece: they must not choose the direction.
+/// A border's steps and wiggles smaller than half the working width cost no swath piece: they must not choose
+/// the direction.
 Polygon without_wiggles(const Polygon& area, double tolerance_m) {
   Polygon out{simplified(area.shell, tolerance_m), {}};
   for (const Ring& hole : area.holes) out.holes.push_back(simplified(hole, tolerance_m));
   return out;
 }
 
-Result<DrivingDirection> direction_of(const Block& block, const LocalFrame& frame, const std::string& how, double width_m) {
+Result<DrivingDirection> direction_of(const Block& block, const LocalFrame& frame, const std::string& how,
+                                      double width_m) {
   if (how == "edge") return best_edge_direction(without_wiggles(block.area, width_m / 2));
   if (how == "p3") {
     const auto found = p3_direction(block.area);
@@ -81,7 +85,8 @@ Result<Layout> lay_out(const Block& block, const LocalFrame& frame, const Job& j
   const auto options = layout_options(block, frame, job);
   if (!options) return options.error();
   const auto kinds = layouts();
-  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const LayoutKind& k) { return k.name == job.layout.kind; });
+  const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                 [&](const LayoutKind& k) { return k.name == job.layout.kind; });
   if (kind == kinds.end()) throw InputError{"layout.kind = \"" + job.layout.kind + "\" is not known"};
   return kind->lay_out(block, job.machine, *options);
 }
@@ -93,7 +98,8 @@ RouteOptions route_options(const Block& block, const Job& job) {
   return options;
 }
 
-Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, const Job& job, const Progress& progress) {
+Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, const Job& job,
+                                const Progress& progress) {
   progress("laying out", 0);
   auto layout = lay_out(block, frame, job);
   if (!layout) return layout.error();
@@ -118,7 +124,8 @@ Result<Plan> plan(const Field& field, const Job& job, Repair repair, const Progr
   validate(job);
   const LocalFrame frame = frame_of(field, job);
   const Blocks cleaned =
-      for_machine(blocks_of(field, frame, {job.field.obstacle_clearance_m, job.field.water_margin_m, repair}), job.machine);
+      for_machine(blocks_of(field, frame, {job.field.obstacle_clearance_m, job.field.water_margin_m, repair}),
+                  job.machine);
   Plan plan = described(field, job, frame, cleaned);
   std::string reasons;
   for (const Block& block : cleaned.blocks) {

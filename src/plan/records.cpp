@@ -12,10 +12,14 @@ namespace {
 
 std::string name_of(PieceKind kind) {
   switch (kind) {
-    case PieceKind::swath: return "swath";
-    case PieceKind::headland_pass: return "headland_pass";
-    case PieceKind::turn: return "turn";
-    case PieceKind::transfer: return "transfer";
+    case PieceKind::swath:
+      return "swath";
+    case PieceKind::headland_pass:
+      return "headland_pass";
+    case PieceKind::turn:
+      return "turn";
+    case PieceKind::transfer:
+      return "transfer";
   }
   return {};
 }
@@ -57,8 +61,9 @@ PieceRecord record_of(const DrivePiece& piece) {
   return record;
 }
 
-TrajectoryRecord trajectory_of(int block, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
-                               const LocalFrame& frame, const Machine& machine) {
+TrajectoryRecord trajectory_of(int block, const std::vector<DrivePiece>& pieces,
+                               const std::vector<Sample>& samples, const LocalFrame& frame,
+                               const Machine& machine) {
   TrajectoryRecord record;
   record.block = block;
   record.working_width_m = machine.working_width_m;
@@ -78,32 +83,38 @@ TrajectoryRecord trajectory_of(int block, const std::vector<DrivePiece>& pieces,
   return record;
 }
 
-void add_swaths(PlanFile& file, const PlannedBlock& planned, const LocalFrame& frame, const Machine& machine) {
+void add_swaths(PlanFile& file, const PlannedBlock& planned, const LocalFrame& frame,
+                const Machine& machine) {
   std::map<std::string, int> order;
   for (const RoutePiece& piece : planned.route.pieces)
     if (piece.kind == PieceKind::swath) order.emplace(piece.ref, static_cast<int>(order.size()) + 1);
   const auto add = [&](const Swath& swath, const std::string& cell) {
     const auto place = order.find(swath.id);
-    if (place == order.end()) return;  // not driven: named among the notes, and its ground among the uncovered
-    file.swaths.push_back({planned.block.number, swath.id, cell, to_lonlat(frame, std::vector<Point>{swath.from, swath.to}),
+    if (place == order.end())
+      return;  // not driven: named among the notes, and its ground among the uncovered
+    file.swaths.push_back({planned.block.number, swath.id, cell,
+                           to_lonlat(frame, std::vector<Point>{swath.from, swath.to}),
                            machine.working_width_m, distance_m(swath.from, swath.to), place->second});
   };
   for (const Swath& swath : planned.layout.swaths) add(swath, "1");
   for (const Swath& pocket : planned.layout.pockets) add(pocket, "");
 }
 
-void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame& frame, const Machine& machine) {
+void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame& frame,
+                  const Machine& machine) {
   HeadlandRecord band{planned.block.number, {}, planned.layout.headland_depth_m, planned.layout.passes};
   for (const Polygon& part : planned.layout.headland) band.parts.push_back(to_lonlat(frame, part));
   if (!band.parts.empty()) file.headlands.push_back(std::move(band));
   for (const HeadlandPass& pass : planned.layout.headland_passes) {
-    const auto driven = std::find_if(planned.route.pieces.begin(), planned.route.pieces.end(), [&pass](const RoutePiece& piece) {
-      return piece.kind == PieceKind::headland_pass && piece.ref == pass.id;
-    });
+    const auto driven = std::find_if(planned.route.pieces.begin(), planned.route.pieces.end(),
+                                     [&pass](const RoutePiece& piece) {
+                                       return piece.kind == PieceKind::headland_pass && piece.ref == pass.id;
+                                     });
     if (driven == planned.route.pieces.end()) continue;
     std::vector<Point> line;
     for (const Pose& pose : poses(driven->path, 2)) line.push_back(pose.at);
-    file.headland_passes.push_back({planned.block.number, pass.id, pass.ring, to_lonlat(frame, line), machine.working_width_m});
+    file.headland_passes.push_back(
+        {planned.block.number, pass.id, pass.ring, to_lonlat(frame, line), machine.working_width_m});
   }
 }
 
@@ -116,7 +127,8 @@ LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area) {
 }
 
 double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad) {
-  const double bearing = std::fmod(Heading::radians(heading_rad).bearing_deg() + frame.convergence_deg(p) + 360, 360);
+  const double bearing =
+      std::fmod(Heading::radians(heading_rad).bearing_deg() + frame.convergence_deg(p) + 360, 360);
   return bearing >= 359.99999 ? 0 : bearing;  // what rounding leaves of north
 }
 
@@ -124,19 +136,24 @@ std::vector<DrivePiece> drive_pieces(const Route& route, const Machine& machine)
   std::vector<DrivePiece> pieces;
   for (const RoutePiece& piece : route.pieces) {
     const bool work = works(piece.kind);
-    if (work && machine.tool_lower_s > 0) pieces.push_back(wait_at(start_pose(piece.path), machine.tool_lower_s));
+    if (work && machine.tool_lower_s > 0)
+      pieces.push_back(wait_at(start_pose(piece.path), machine.tool_lower_s));
     for (const Stretch& stretch : piece.path)
-      pieces.push_back({{stretch, cap_mps(machine, piece.kind, stretch), work, 0}, name_of(piece.kind), piece.ref});
-    if (work && machine.tool_raise_s > 0) pieces.push_back(wait_at(end_pose(piece.path), machine.tool_raise_s));
+      pieces.push_back(
+          {{stretch, cap_mps(machine, piece.kind, stretch), work, 0}, name_of(piece.kind), piece.ref});
+    if (work && machine.tool_raise_s > 0)
+      pieces.push_back(wait_at(end_pose(piece.path), machine.tool_raise_s));
   }
   return pieces;
 }
 
-void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
-                 const LocalFrame& frame, const Machine& machine) {
+void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
+                 const std::vector<Sample>& samples, const LocalFrame& frame, const Machine& machine) {
   const Block& block = planned.block;
-  for (const Polygon& obstacle : block.obstacles) file.obstacles.push_back({block.number, to_lonlat(frame, obstacle), "", "obstacle"});
-  for (const BlockGate& gate : block.gates) file.gates.push_back({block.number, frame.to_lonlat(gate.at), gate.name, gate.width_m});
+  for (const Polygon& obstacle : block.obstacles)
+    file.obstacles.push_back({block.number, to_lonlat(frame, obstacle), "", "obstacle"});
+  for (const BlockGate& gate : block.gates)
+    file.gates.push_back({block.number, frame.to_lonlat(gate.at), gate.name, gate.width_m});
   const AbLine& ab = planned.layout.ab;
   const double bearing = true_bearing_deg(frame, ab.a, heading_rad(ab.b - ab.a));
   CellRecord cell{block.number, "1", {}, std::fmod(bearing, 180)};

@@ -32,8 +32,8 @@ std::vector<DrivePiece> drive_pieces(const Route& route, const Machine& machine)
 LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area);
 
 /// Adds all records of the block to the file.
-void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<DrivePiece>& pieces, const std::vector<Sample>& samples,
-                 const LocalFrame& frame, const Machine& machine);
+void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
+                 const std::vector<Sample>& samples, const LocalFrame& frame, const Machine& machine);
 
 /// True bearing of a direction of the local frame at p, degrees.
 double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad);

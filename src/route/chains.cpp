@@ -45,8 +45,10 @@ std::vector<Chain> chains_of(const std::vector<Swath>& swaths, DrivingDirection 
         before != nullptr && only_neighbour(*before, swaths, axis, true) == &swath)
       for (Chain& chain : chains)
         if (chain.back() == before) home = &chain;
-    if (home != nullptr) home->push_back(&swath);
-    else chains.push_back({&swath});
+    if (home != nullptr)
+      home->push_back(&swath);
+    else
+      chains.push_back({&swath});
   }
   return chains;
 }

@@ -10,9 +10,9 @@
 namespace selion {
 namespace {
 
-constexpr double kOverMainland = 0.5;    // extra cost of a metre over the mainland
-constexpr double kInReverse = 1.0;       // extra cost of a metre in reverse
-constexpr double kGearChange_m = 6;      // what stopping and changing gear is worth
+constexpr double kOverMainland = 0.5;  // extra cost of a metre over the mainland
+constexpr double kInReverse = 1.0;     // extra cost of a metre in reverse
+constexpr double kGearChange_m = 6;    // what stopping and changing gear is worth
 constexpr double kCostStep_m = 1;
 
 bool in_any(const Polygons& areas, Point p) {

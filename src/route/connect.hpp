@@ -16,7 +16,7 @@ struct Terrain {
   Footprint footprint;
   CurveLimits limits;
   bool may_reverse = false;
-  const Polygons& mainland;          ///< not to be driven over where there is another way
+  const Polygons& mainland;  ///< not to be driven over where there is another way
 };
 
 /// Cost of a way: its metres, those over the mainland dearer, reversing and changes of gear dearer still.
@@ -25,12 +25,13 @@ double cost_m(const Terrain& terrain, const Path& path);
 /// One turn, the shortest that stays inside; absent where none of a turn's length does.
 std::optional<Path> direct_turn(const Terrain& terrain, const Pose& from, const Pose& to);
 
-/// A way found by searching the ground itself, step by step: for narrow places. Dear; absent where none was found.
+/// A way found by searching the ground itself, step by step: for narrow places. Dear; absent where none was
+/// found.
 std::optional<Path> searched(const Terrain& terrain, const Pose& from, const Pose& to);
 
 class Roads;
-/// A drivable way, curvature 0 at both ends, inside all along: one turn where that is short, else the cheaper of a turn
-/// and the roads, else searched. Absent where none was found.
+/// A drivable way, curvature 0 at both ends, inside all along: one turn where that is short, else the cheaper
+/// of a turn and the roads, else searched. Absent where none was found.
 std::optional<Path> connect(const Terrain& terrain, Roads& roads, const Pose& from, const Pose& to);
 
 }  // namespace selion

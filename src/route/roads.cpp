@@ -11,19 +11,23 @@
 namespace selion {
 namespace {
 
-constexpr std::size_t kLinksTried = 10;      // turns tried from a station to other lines
-constexpr std::size_t kJoinsTried = 10;     // stations tried for the first and the last turn
+constexpr std::size_t kLinksTried = 10;  // turns tried from a station to other lines
+constexpr std::size_t kJoinsTried = 10;  // stations tried for the first and the last turn
 constexpr int kOfOneLine = 2;
 constexpr std::size_t kMostVisited = 20000;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-long long cell_key(double x, double y) { return (static_cast<long long>(x) << 32) ^ (static_cast<long long>(y) & 0xffffffffLL); }
+long long cell_key(double x, double y) {
+  return (static_cast<long long>(x) << 32) ^ (static_cast<long long>(y) & 0xffffffffLL);
+}
 
-/// Roughly what a turn from `from` to `to` takes: the chord, and an arc for each change of heading on the way.
+/// Roughly what a turn from `from` to `to` takes: the chord, and an arc for each change of heading on the
+/// way.
 double guess_m(const Pose& from, const Pose& to, double radius_m) {
   const Point chord = to.at - from.at;
   const double bearing = length_m(chord) > 0 ? heading_rad(chord) : from.heading_rad;
-  return length_m(chord) + radius_m * (std::abs(wrapped(bearing - from.heading_rad)) + std::abs(wrapped(to.heading_rad - bearing)));
+  return length_m(chord) + radius_m * (std::abs(wrapped(bearing - from.heading_rad)) +
+                                       std::abs(wrapped(to.heading_rad - bearing)));
 }
 
 Path joined(Path a, const Path& b, const Path& c) {
@@ -35,7 +39,9 @@ Path joined(Path a, const Path& b, const Path& c) {
 }  // namespace
 
 Roads::Roads(const Terrain& terrain, std::vector<Track> tracks)
-    : terrain_{terrain}, tracks_{std::move(tracks)}, reach_m_{5 / terrain.limits.curvature_per_m + 3 * terrain.footprint.half_tool_m} {
+    : terrain_{terrain},
+      tracks_{std::move(tracks)},
+      reach_m_{5 / terrain.limits.curvature_per_m + 3 * terrain.footprint.half_tool_m} {
   for (std::size_t t = 0; t < tracks_.size(); ++t)
     for (std::size_t s = 0; s < tracks_[t].stations.size(); ++s) {
       const Point at = tracks_[t].stations[s].pose.at;
@@ -44,7 +50,9 @@ Roads::Roads(const Terrain& terrain, std::vector<Track> tracks)
     }
 }
 
-const Track::Station& Roads::station(std::size_t node) const { return tracks_[nodes_[node].track].stations[nodes_[node].station]; }
+const Track::Station& Roads::station(std::size_t node) const {
+  return tracks_[nodes_[node].track].stations[nodes_[node].station];
+}
 
 std::vector<std::size_t> Roads::near(Point p, double radius_m) const {
   std::vector<std::size_t> found;
@@ -62,14 +70,18 @@ std::vector<std::size_t> Roads::near(Point p, double radius_m) const {
 }
 
 /// Those of `nodes` that a turn from `from` probably reaches soonest.
-std::vector<std::size_t> Roads::likely(const Pose& from, const std::vector<std::size_t>& nodes, std::size_t most) const {
+std::vector<std::size_t> Roads::likely(const Pose& from, const std::vector<std::size_t>& nodes,
+                                       std::size_t most) const {
   std::vector<std::pair<double, std::size_t>> ranked;
-  for (const std::size_t node : nodes) ranked.emplace_back(guess_m(from, station(node).pose, 1 / terrain_.limits.curvature_per_m), node);
+  for (const std::size_t node : nodes)
+    ranked.emplace_back(guess_m(from, station(node).pose, 1 / terrain_.limits.curvature_per_m), node);
   return foremost(std::move(ranked), most);
 }
 
-/// The lowest ranked, but few of any one line: else the many swath ends crowd out the one headland pass beside them.
-std::vector<std::size_t> Roads::foremost(std::vector<std::pair<double, std::size_t>> ranked, std::size_t most) const {
+/// The lowest ranked, but few of any one line: else the many swath ends crowd out the one headland pass
+/// beside them.
+std::vector<std::size_t> Roads::foremost(std::vector<std::pair<double, std::size_t>> ranked,
+                                         std::size_t most) const {
   std::sort(ranked.begin(), ranked.end());
   std::unordered_map<std::size_t, int> of_track;
   std::vector<std::size_t> best;
@@ -124,7 +136,8 @@ void Roads::join_to(Joins& joins, const Pose& pose, const Path& after) const {
   std::vector<std::pair<double, std::size_t>> ranked;
   for (const std::size_t node : near(pose.at, reach_m_)) {
     const Pose& at = station(node).pose;
-    ranked.emplace_back(guess_m(about, {at.at, at.heading_rad + std::acos(-1.0)}, 1 / terrain_.limits.curvature_per_m), node);
+    ranked.emplace_back(
+        guess_m(about, {at.at, at.heading_rad + std::acos(-1.0)}, 1 / terrain_.limits.curvature_per_m), node);
   }
   for (const std::size_t node : foremost(std::move(ranked), kJoinsTried)) {
     auto turn = direct_turn(terrain_, station(node).pose, pose);
@@ -183,7 +196,8 @@ std::optional<Path> Roads::way(const Pose& from, const Pose& to, const std::vect
   }
   if (best == kNone) return std::nullopt;
   std::vector<const Path*> parts{&ends.at(best).path};
-  for (std::size_t node = best; node != kNone; node = reached[node].parent) parts.push_back(reached[node].path);
+  for (std::size_t node = best; node != kNone; node = reached[node].parent)
+    parts.push_back(reached[node].path);
   Path whole;
   for (auto it = parts.rbegin(); it != parts.rend(); ++it) append(whole, **it);
   return whole;

@@ -10,7 +10,8 @@
 
 namespace selion {
 
-/// A line that is driven anyway, as a one-way road: the axle's path and the straight places where one can join or leave.
+/// A line that is driven anyway, as a one-way road: the axle's path and the straight places where one can
+/// join or leave.
 struct Track {
   Path path;
   bool closed = true;
@@ -19,7 +20,7 @@ struct Track {
     double s_m = 0;
     Pose pose;
   };
-  std::vector<Station> stations;   ///< in order of s
+  std::vector<Station> stations;  ///< in order of s
 };
 
 Track track_of(const Path& path, bool closed);
@@ -27,18 +28,20 @@ Track track_of(const Path& path, bool closed);
 Path run_on(const Terrain& terrain, const Pose& from);
 /// The path driven forwards the other way.
 Path turned_round(const Path& path);
-/// The part of a path from `from_m` to `to_m` along it; of a closed one across its seam where to < from or to > its length.
+/// The part of a path from `from_m` to `to_m` along it; of a closed one across its seam where to < from or to
+/// > its length.
 Path part_of(const Path& path, double from_m, double to_m);
 
-/// Headland passes, pocket pieces and swaths as a road network: stations, joined along their line and by single turns
-/// from line to line. A turn between two lines is worked out when it is first asked for, and kept.
+/// Headland passes, pocket pieces and swaths as a road network: stations, joined along their line and by
+/// single turns from line to line. A turn between two lines is worked out when it is first asked for, and
+/// kept.
 class Roads {
  public:
   Roads(const Terrain& terrain, std::vector<Track> tracks);
 
-  /// Cheapest way found by A* over the stations; both ends are joined by single turns, the first after one of the
-  /// `retreats` (ways backwards out of `from`) where that helps, the last before a straight run backwards into `to` where the
-  /// machine may reverse. Absent where the network does not join them.
+  /// Cheapest way found by A* over the stations; both ends are joined by single turns, the first after one of
+  /// the `retreats` (ways backwards out of `from`) where that helps, the last before a straight run backwards
+  /// into `to` where the machine may reverse. Absent where the network does not join them.
   std::optional<Path> way(const Pose& from, const Pose& to, const std::vector<Path>& retreats);
 
  private:
@@ -60,8 +63,10 @@ class Roads {
 
   [[nodiscard]] const Track::Station& station(std::size_t node) const;
   [[nodiscard]] std::vector<std::size_t> near(Point p, double radius_m) const;
-  [[nodiscard]] std::vector<std::size_t> likely(const Pose& from, const std::vector<std::size_t>& nodes, std::size_t most) const;
-  [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked, std::size_t most) const;
+  [[nodiscard]] std::vector<std::size_t> likely(const Pose& from, const std::vector<std::size_t>& nodes,
+                                                std::size_t most) const;
+  [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked,
+                                                  std::size_t most) const;
   const std::vector<Link>& links(std::size_t node);
   std::optional<Link> along(std::size_t node) const;
   void join_from(Joins& joins, const Pose& pose, const Path& before) const;

@@ -16,26 +16,26 @@
 namespace selion {
 namespace {
 
-constexpr double kGateRoom_m = 0.05;      // between the body and the border at the gate
-constexpr double kSwathEnd_m = 4;         // of a swath: where it is joined as a road
-constexpr std::size_t kRingStarts = 24;   // places tried to begin a headland pass
-constexpr std::size_t kRoadWays = 4;      // ways into a piece of work that the roads are asked for
+constexpr double kGateRoom_m = 0.05;     // between the body and the border at the gate
+constexpr double kSwathEnd_m = 4;        // of a swath: where it is joined as a road
+constexpr std::size_t kRingStarts = 24;  // places tried to begin a headland pass
+constexpr std::size_t kRoadWays = 4;     // ways into a piece of work that the roads are asked for
 constexpr std::size_t kSearchedWays = 2;
-constexpr int kGiveUpChain = 3;           // pieces of a chain not reached in a row
-constexpr int kGiveUpTasks = 24;          // pieces of any kind not reached in a row
-constexpr double kLeastSplit = 8;         // working widths of length from which an open headland pass may be split
+constexpr int kGiveUpChain = 3;    // pieces of a chain not reached in a row
+constexpr int kGiveUpTasks = 24;   // pieces of any kind not reached in a row
+constexpr double kLeastSplit = 8;  // working widths of length from which an open headland pass may be split
 constexpr double kFarthestRetreat_m = 150;
 constexpr double kRetreatStep_m = 6;
 constexpr std::size_t kMostRetreats = 14;
 constexpr double kStraight_per_m = 1e-9;
-constexpr double kFarRound = 3;           // a way this many turns long is worth a search for a shorter one
+constexpr double kFarRound = 3;  // a way this many turns long is worth a search for a shorter one
 
 /// A piece of work and the ways it may be driven, the preferred one first.
 struct Task {
   PieceKind kind = PieceKind::swath;
   std::string id;
   std::vector<Path> ways;
-  bool closed = false;   ///< a headland pass all around
+  bool closed = false;  ///< a headland pass all around
 };
 
 class Driver {
@@ -44,7 +44,8 @@ class Driver {
       : layout_{layout},
         machine_{machine},
         space_{free_space(block.free, footprint_of(machine))},
-        terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse, layout.mainland},
+        terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps),
+                 machine.may_reverse, layout.mainland},
         roads_{terrain_, tracks()} {}
 
   Result<Route> drive(const Block& block, const RouteOptions& options, const Progress& progress);
@@ -69,7 +70,9 @@ class Driver {
   [[nodiscard]] PieceKind way_kind(const Path& way) const;
   [[nodiscard]] Pose before(const Path& work) const;
   /// Beyond this a way is a transfer.
-  [[nodiscard]] double longest_turn_m() const { return 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m; }
+  [[nodiscard]] double longest_turn_m() const {
+    return 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m;
+  }
   struct Approach {
     const Path* work;
     Path way;
@@ -85,7 +88,7 @@ class Driver {
   Roads roads_;
   std::optional<Pose> here_;
   std::vector<Task> put_off_;
-  std::map<std::string, int> parts_of_;   // how many parts an open pass was split into
+  std::map<std::string, int> parts_of_;  // how many parts an open pass was split into
   Route route_;
 };
 
@@ -98,7 +101,8 @@ Track Driver::swath_track(Path way) const {
     return std::any_of(holes.begin(), holes.end(), [&](const Ring& hole) {
       const Box box = bounds(hole);
       const Point p = station.pose.at;
-      return p.x_m > box.low.x_m - near_m && p.x_m < box.high.x_m + near_m && p.y_m > box.low.y_m - near_m && p.y_m < box.high.y_m + near_m;
+      return p.x_m > box.low.x_m - near_m && p.x_m < box.high.x_m + near_m && p.y_m > box.low.y_m - near_m &&
+             p.y_m < box.high.y_m + near_m;
     });
   };
   const double length = track.length_m;
@@ -125,7 +129,8 @@ std::vector<Track> Driver::tracks() const {
   }
   for (const Swath& swath : layout_.swaths)
     for (const bool forth : {true, false})
-      if (Path way = swath_way(swath, forth); fits(space_, terrain_.footprint, way)) tracks.push_back(swath_track(std::move(way)));
+      if (Path way = swath_way(swath, forth); fits(space_, terrain_.footprint, way))
+        tracks.push_back(swath_track(std::move(way)));
   return tracks;
 }
 
@@ -136,7 +141,8 @@ Path Driver::swath_way(const Swath& swath, bool forth) const {
 Task Driver::swath_task(const Swath& swath) const {
   Task task{PieceKind::swath, swath.id, {}};
   for (const bool forth : {true, false})
-    if (Path way = swath_way(swath, forth); fits(space_, terrain_.footprint, way)) task.ways.push_back(std::move(way));
+    if (Path way = swath_way(swath, forth); fits(space_, terrain_.footprint, way))
+      task.ways.push_back(std::move(way));
   return task;
 }
 
@@ -160,14 +166,15 @@ Pose Driver::before(const Path& work) const {
   return {start.at - machine_.run_in_m * unit(start.heading_rad), start.heading_rad};
 }
 
-/// The cheapest of the task's ways: by one turn each; where that is a long one, by the roads; where these lead far
-/// round or nowhere, by searching.
+/// The cheapest of the task's ways: by one turn each; where that is a long one, by the roads; where these
+/// lead far round or nowhere, by searching.
 bool Driver::drive_to(const Task& task) {
   if (task.ways.empty()) return false;
   if (!here_) return drive_one(task, std::nullopt, task.ways.front());
   std::optional<Approach> best;
   const auto each = [&](std::size_t most, const auto& way_to) {
-    for (std::size_t i = 0; i < task.ways.size() && i < most; ++i) consider(best, task.ways[i], way_to(before(task.ways[i])));
+    for (std::size_t i = 0; i < task.ways.size() && i < most; ++i)
+      consider(best, task.ways[i], way_to(before(task.ways[i])));
   };
   each(task.ways.size(), [this](const Pose& goal) { return direct_turn(terrain_, *here_, goal); });
   if (!best || best->cost_m > longest_turn_m()) {
@@ -178,11 +185,13 @@ bool Driver::drive_to(const Task& task) {
   if (!best || (close && best->cost_m > kFarRound * longest_turn_m()))
     each(kSearchedWays, [this](const Pose& goal) { return searched(terrain_, *here_, goal); });
   if (!best) return false;
-  if (machine_.run_in_m > 0) best->way.push_back({line(before(*best->work).at, start_pose(*best->work).at), Gear::forward});
+  if (machine_.run_in_m > 0)
+    best->way.push_back({line(before(*best->work).at, start_pose(*best->work).at), Gear::forward});
   return drive_one(task, best->way, *best->work);
 }
 
-/// Ways backwards over what was just driven, longer and longer: out of a dead end the way it came is always free.
+/// Ways backwards over what was just driven, longer and longer: out of a dead end the way it came is always
+/// free.
 std::vector<Path> Driver::retreats() const {
   std::vector<Path> found;
   if (!machine_.may_reverse) return found;
@@ -200,7 +209,8 @@ std::vector<Path> Driver::retreats() const {
         Path part = run;
         part.push_back({back, gear});
         part.back().curve.length_m = whole * k / steps;
-        if (straight || std::abs(stretch->curve.curvature_per_m) < kStraight_per_m) found.push_back(std::move(part));
+        if (straight || std::abs(stretch->curve.curvature_per_m) < kStraight_per_m)
+          found.push_back(std::move(part));
       }
       run.push_back({back, gear});
       length += whole;
@@ -261,13 +271,16 @@ void Driver::work_nearest(std::vector<Task> tasks) {
   std::vector<Task> failed;
   int in_a_row = 0;
   while (!tasks.empty()) {
-    const auto next = std::min_element(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) { return nearness(a) < nearness(b); });
+    const auto next = std::min_element(
+        tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) { return nearness(a) < nearness(b); });
     Task task = std::move(*next);
     tasks.erase(next);
-    std::stable_sort(task.ways.begin(), task.ways.end(),
-                     [this](const Path& a, const Path& b) { return far_m(start_pose(a)) < far_m(start_pose(b)); });
+    std::stable_sort(task.ways.begin(), task.ways.end(), [this](const Path& a, const Path& b) {
+      return far_m(start_pose(a)) < far_m(start_pose(b));
+    });
     if (drive_to(task)) {
-      tasks.insert(tasks.end(), std::make_move_iterator(failed.begin()), std::make_move_iterator(failed.end()));
+      tasks.insert(tasks.end(), std::make_move_iterator(failed.begin()),
+                   std::make_move_iterator(failed.end()));
       failed.clear();
       in_a_row = 0;
     } else if (!split(task, tasks)) {
@@ -275,8 +288,10 @@ void Driver::work_nearest(std::vector<Task> tasks) {
       if (++in_a_row >= kGiveUpTasks) break;  // cut off from here
     }
   }
-  put_off_.insert(put_off_.end(), std::make_move_iterator(failed.begin()), std::make_move_iterator(failed.end()));
-  put_off_.insert(put_off_.end(), std::make_move_iterator(tasks.begin()), std::make_move_iterator(tasks.end()));
+  put_off_.insert(put_off_.end(), std::make_move_iterator(failed.begin()),
+                  std::make_move_iterator(failed.end()));
+  put_off_.insert(put_off_.end(), std::make_move_iterator(tasks.begin()),
+                  std::make_move_iterator(tasks.end()));
 }
 
 /// A long open pass that cannot be reached at its ends may be begun in its middle: two passes instead of one.
@@ -288,11 +303,13 @@ bool Driver::split(const Task& task, std::vector<Task>& into) {
   const Track track = track_of(whole, false);
   const Track::Station* middle = nullptr;
   for (const Track::Station& station : track.stations)
-    if (middle == nullptr || std::abs(station.s_m - length / 2) < std::abs(middle->s_m - length / 2)) middle = &station;
+    if (middle == nullptr || std::abs(station.s_m - length / 2) < std::abs(middle->s_m - length / 2))
+      middle = &station;
   if (middle == nullptr || middle->s_m < length / 4 || middle->s_m > 3 * length / 4) return false;
   const std::string pass = task.id.substr(0, task.id.find('.'));
   into.push_back(open_task(pass + "." + std::to_string(++parts_of_[pass]), part_of(whole, 0, middle->s_m)));
-  into.push_back(open_task(pass + "." + std::to_string(++parts_of_[pass]), part_of(whole, middle->s_m, length)));
+  into.push_back(
+      open_task(pass + "." + std::to_string(++parts_of_[pass]), part_of(whole, middle->s_m, length)));
   return true;
 }
 
@@ -325,20 +342,22 @@ Path Driver::tool_turned_round(const Path& path) const {
 std::vector<Path> Driver::ring_ways(const HeadlandPass& pass) const {
   std::vector<Path> ways;
   std::vector<Path> rounds{pass.path};
-  if (Path back = turned_round(pass.path); fits(space_, terrain_.footprint, back)) rounds.push_back(std::move(back));
+  if (Path back = turned_round(pass.path); fits(space_, terrain_.footprint, back))
+    rounds.push_back(std::move(back));
   for (const Path& round : rounds) {
     Track track = track_of(round, true);
     if (here_)
-      std::stable_sort(track.stations.begin(), track.stations.end(), [this](const Track::Station& a, const Track::Station& b) {
-        return far_m(a.pose) < far_m(b.pose);
-      });
+      std::stable_sort(
+          track.stations.begin(), track.stations.end(),
+          [this](const Track::Station& a, const Track::Station& b) { return far_m(a.pose) < far_m(b.pose); });
     for (std::size_t k = 0; k < track.stations.size() && k < kRingStarts; ++k) {
       const double s = track.stations[k].s_m;
       ways.push_back(part_of(round, s, s + track.length_m));
     }
   }
-  std::stable_sort(ways.begin(), ways.end(),
-                   [this](const Path& a, const Path& b) { return far_m(start_pose(a)) < far_m(start_pose(b)); });
+  std::stable_sort(ways.begin(), ways.end(), [this](const Path& a, const Path& b) {
+    return far_m(start_pose(a)) < far_m(start_pose(b));
+  });
   return ways;
 }
 
@@ -346,18 +365,22 @@ void Driver::work_headland(bool inside_out) {
   std::vector<const HeadlandPass*> order;
   for (const HeadlandPass& pass : layout_.headland_passes) order.push_back(&pass);
   const auto ring = [inside_out](const HeadlandPass* p) { return inside_out ? -p->ring : p->ring; };
-  std::stable_sort(order.begin(), order.end(), [&](const HeadlandPass* a, const HeadlandPass* b) { return ring(a) < ring(b); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const HeadlandPass* a, const HeadlandPass* b) { return ring(a) < ring(b); });
   for (std::size_t i = 0; i < order.size();) {  // rings of one depth: nearest first
     std::size_t last = i;
     while (last < order.size() && order[last]->ring == order[i]->ring) ++last;
-    std::vector<const HeadlandPass*> same(order.begin() + static_cast<std::ptrdiff_t>(i), order.begin() + static_cast<std::ptrdiff_t>(last));
+    std::vector<const HeadlandPass*> same(order.begin() + static_cast<std::ptrdiff_t>(i),
+                                          order.begin() + static_cast<std::ptrdiff_t>(last));
     std::vector<Task> failed;
     while (!same.empty()) {
-      const auto nearest = std::min_element(same.begin(), same.end(), [this](const HeadlandPass* a, const HeadlandPass* b) {
-        return far_m(start_pose(a->path)) < far_m(start_pose(b->path));
-      });
+      const auto nearest =
+          std::min_element(same.begin(), same.end(), [this](const HeadlandPass* a, const HeadlandPass* b) {
+            return far_m(start_pose(a->path)) < far_m(start_pose(b->path));
+          });
       const HeadlandPass& pass = **nearest;
-      Task task = pass.closed ? Task{PieceKind::headland_pass, pass.id, ring_ways(pass), true} : open_task(pass.id, pass.path);
+      Task task = pass.closed ? Task{PieceKind::headland_pass, pass.id, ring_ways(pass), true}
+                              : open_task(pass.id, pass.path);
       if (!drive_to(task)) failed.push_back(std::move(task));
       same.erase(nearest);
     }
@@ -368,7 +391,9 @@ void Driver::work_headland(bool inside_out) {
 
 std::optional<Pose> Driver::at_gate(const Block& block, std::size_t gate, bool inwards) const {
   const BlockGate& g = block.gates[gate];
-  const double room = (inwards ? std::max(machine_.rear_m, -machine_.tool_x_m) : std::max(machine_.front_m, machine_.tool_x_m)) + kGateRoom_m;
+  const double room = (inwards ? std::max(machine_.rear_m, -machine_.tool_x_m)
+                               : std::max(machine_.front_m, machine_.tool_x_m)) +
+                      kGateRoom_m;
   const Pose pose{g.at + room * unit(g.inward_rad), inwards ? g.inward_rad : g.inward_rad + std::numbers::pi};
   if (!fits(space_, terrain_.footprint, pose)) return std::nullopt;
   return pose;
@@ -379,11 +404,13 @@ Result<Route> Driver::drive(const Block& block, const RouteOptions& options, con
   if (options.gate) {
     const BlockGate& gate = block.gates[*options.gate];
     if (gate.width_m && *gate.width_m < machine_.body_width_m)
-      return Infeasible{"gate " + gate.name + " is " + fixed(*gate.width_m, 2) + " m wide, the machine's body " +
-                        fixed(machine_.body_width_m, 2) + " m"};
+      return Infeasible{"gate " + gate.name + " is " + fixed(*gate.width_m, 2) +
+                        " m wide, the machine's body " + fixed(machine_.body_width_m, 2) + " m"};
     here_ = at_gate(block, *options.gate, true);
     out = at_gate(block, *options.gate, false);
-    if (!here_) route_.notes.push_back("the machine does not fit inside gate " + gate.name + " square to the border; the drive starts elsewhere");
+    if (!here_)
+      route_.notes.push_back("the machine does not fit inside gate " + gate.name +
+                             " square to the border; the drive starts elsewhere");
   }
   if (options.headland == HeadlandOrder::first) work_headland(false);
   work_chains(chains_of(layout_.swaths, layout_.along), progress);
@@ -397,21 +424,26 @@ Result<Route> Driver::drive(const Block& block, const RouteOptions& options, con
   again.swap(put_off_);
   work_nearest(std::move(again));
   for (const Task& task : put_off_) route_.left_out.push_back(task.id);
-  const bool any = std::any_of(route_.pieces.begin(), route_.pieces.end(), [](const RoutePiece& p) { return p.kind == PieceKind::swath; });
-  if (!any) return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
+  const bool any = std::any_of(route_.pieces.begin(), route_.pieces.end(),
+                               [](const RoutePiece& p) { return p.kind == PieceKind::swath; });
+  if (!any)
+    return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
   if (out) {
     auto way = connect(terrain_, roads_, *here_, *out);
     if (!way) way = roads_.way(*here_, *out, retreats());
-    if (way) route_.pieces.push_back({PieceKind::transfer, "", *way});
-    else route_.notes.push_back("no way back to gate " + block.gates[*options.gate].name + " was found; the drive ends elsewhere");
+    if (way)
+      route_.pieces.push_back({PieceKind::transfer, "", *way});
+    else
+      route_.notes.push_back("no way back to gate " + block.gates[*options.gate].name +
+                             " was found; the drive ends elsewhere");
   }
   return std::move(route_);
 }
 
 }  // namespace
 
-Result<Route> route(const Block& block, const Layout& layout, const Machine& machine, const RouteOptions& options,
-                    const Progress& progress) {
+Result<Route> route(const Block& block, const Layout& layout, const Machine& machine,
+                    const RouteOptions& options, const Progress& progress) {
   return Driver{block, layout, machine}.drive(block, options, progress);
 }
 

@@ -14,17 +14,18 @@
 namespace selion {
 namespace {
 
-// Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010) whose moves begin and end with curvature 0, so that every path it
-// finds is curvature-continuous, and whose heuristic is the way for a point over a grid, mainland dearer.
+// Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010) whose moves begin and end with curvature 0, so that
+// every path it finds is curvature-continuous, and whose heuristic is the way for a point over a grid,
+// mainland dearer.
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMostNodes = 4000;
-constexpr double kGreed = 1.6;              // weight of the heuristic: within this factor of the best of its moves
+constexpr double kGreed = 1.6;  // weight of the heuristic: within this factor of the best of its moves
 constexpr double kOverMainland = 0.5;
 constexpr double kInReverse = 1.0;
 constexpr double kGearChange_m = 6;
 constexpr int kHeadings = 32;
-constexpr double kMostCells = 500;          // a side of the heuristic's grid
+constexpr double kMostCells = 500;  // a side of the heuristic's grid
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Shortest ways for a point to the goal over square cells.
@@ -50,7 +51,8 @@ Guide::Guide(const Terrain& terrain, const Pose& from, const Pose& to, double ma
   const Box field = bounds(terrain.space.area().shell);
   const Box both = bounds({from.at, to.at});
   low_ = {std::max(field.low.x_m, both.low.x_m - margin_m), std::max(field.low.y_m, both.low.y_m - margin_m)};
-  const Point high{std::min(field.high.x_m, both.high.x_m + margin_m), std::min(field.high.y_m, both.high.y_m + margin_m)};
+  const Point high{std::min(field.high.x_m, both.high.x_m + margin_m),
+                   std::min(field.high.y_m, both.high.y_m + margin_m)};
   const Point size = high - low_;
   cell_m_ = std::max(0.75, std::max(size.x_m, size.y_m) / kMostCells);
   columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 1;
@@ -62,19 +64,22 @@ Guide::Guide(const Terrain& terrain, const Pose& from, const Pose& to, double ma
 std::size_t Guide::cell_of(Point p) const {
   const double x = std::floor((p.x_m - low_.x_m) / cell_m_);
   const double y = std::floor((p.y_m - low_.y_m) / cell_m_);
-  if (x < 0 || y < 0 || x >= static_cast<double>(columns_) || y >= static_cast<double>(rows_)) return distance_.size();
+  if (x < 0 || y < 0 || x >= static_cast<double>(columns_) || y >= static_cast<double>(rows_))
+    return distance_.size();
   return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
 }
 
 Point Guide::centre_of(std::size_t cell) const {
-  return low_ + Point{(static_cast<double>(cell % columns_) + 0.5) * cell_m_, (static_cast<double>(cell / columns_) + 0.5) * cell_m_};
+  return low_ + Point{(static_cast<double>(cell % columns_) + 0.5) * cell_m_,
+                      (static_cast<double>(cell / columns_) + 0.5) * cell_m_};
 }
 
 /// Half the body has room there; touching squares keep the walk inside without asking again.
 bool Guide::open(const Terrain& terrain, Point p) const {
   if (terrain.space.far_from_border(p)) return true;
   const double half = std::max(cell_m_ / 2, 0.8 * terrain.footprint.half_body_m);
-  return terrain.space.clear({p + Point{-half, -half}, p + Point{half, -half}, p + Point{half, half}, p + Point{-half, half}});
+  return terrain.space.clear(
+      {p + Point{-half, -half}, p + Point{half, -half}, p + Point{half, half}, p + Point{-half, half}});
 }
 
 void Guide::spread(const Terrain& terrain, Point goal) {
@@ -82,11 +87,13 @@ void Guide::spread(const Terrain& terrain, Point goal) {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const std::size_t start = cell_of(goal);
   if (start == distance_.size()) return;
-  std::vector<signed char> state(distance_.size(), -1);  // unknown, closed to the machine, open, open mainland
+  std::vector<signed char> state(distance_.size(),
+                                 -1);  // unknown, closed to the machine, open, open mainland
   const auto look = [&](std::size_t cell) {
     if (state[cell] < 0) {
       const Point p = centre_of(cell);
-      const bool main = std::any_of(terrain.mainland.begin(), terrain.mainland.end(), [p](const Polygon& m) { return contains(m, p); });
+      const bool main = std::any_of(terrain.mainland.begin(), terrain.mainland.end(),
+                                    [p](const Polygon& m) { return contains(m, p); });
       state[cell] = static_cast<signed char>(!open(terrain, p) ? 0 : main ? 2 : 1);
     }
     return state[cell];
@@ -101,9 +108,11 @@ void Guide::spread(const Terrain& terrain, Point goal) {
     const auto y = static_cast<int>(cell / columns_);
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        if ((dx == 0 && dy == 0) || x + dx < 0 || y + dy < 0 || x + dx >= static_cast<int>(columns_) || y + dy >= static_cast<int>(rows_))
+        if ((dx == 0 && dy == 0) || x + dx < 0 || y + dy < 0 || x + dx >= static_cast<int>(columns_) ||
+            y + dy >= static_cast<int>(rows_))
           continue;
-        const std::size_t other = static_cast<std::size_t>(y + dy) * columns_ + static_cast<std::size_t>(x + dx);
+        const std::size_t other =
+            static_cast<std::size_t>(y + dy) * columns_ + static_cast<std::size_t>(x + dx);
         const int what = look(other);
         if (what == 0) continue;
         const double step = cell_m_ * std::hypot(dx, dy) * (what == 2 ? 1 + kOverMainland : 1);
@@ -117,7 +126,8 @@ void Guide::spread(const Terrain& terrain, Point goal) {
 double Guide::to_goal_m(Point p) const {
   const std::size_t cell = cell_of(p);
   if (cell == distance_.size()) return kFar;
-  double best = distance_[cell];  // a pose may stand in a cell that is closed by the half body's square: look around it
+  double best =
+      distance_[cell];  // a pose may stand in a cell that is closed by the half body's square: look around it
   if (best < kFar) return best;
   for (const Point step : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}}) {
     const std::size_t other = cell_of(p + cell_m_ * step);
@@ -131,7 +141,7 @@ struct Node {
   Gear gear = Gear::forward;
   double cost = 0;
   std::size_t parent = 0;
-  Path way;      // from the parent
+  Path way;  // from the parent
   bool done = false;
 };
 
@@ -150,7 +160,7 @@ class Search {
 
  private:
   struct Move {
-    Path path;       // from the origin, heading east
+    Path path;  // from the origin, heading east
     double length_m = 0;
     double turn_rad = 0;
     Point end;
@@ -191,7 +201,8 @@ void Search::add_moves(Gear gear, double step_m) {
     moves_.push_back({path, length_m(path), end.heading_rad, end.at, gear});
   };
   add({{line({0, 0}, {step_m, 0}), Gear::forward}});
-  for (const double turn : {kPi / 16, -kPi / 16, kPi / 8, -kPi / 8, kPi / 4, -kPi / 4}) add(swing({}, turn, terrain_.limits));
+  for (const double turn : {kPi / 16, -kPi / 16, kPi / 8, -kPi / 8, kPi / 4, -kPi / 4})
+    add(swing({}, turn, terrain_.limits));
 }
 
 Path Search::placed_move(const Move& move, const Pose& pose) const {
@@ -205,9 +216,12 @@ Path Search::placed_move(const Move& move, const Pose& pose) const {
 
 std::uint64_t Search::key_of(const Pose& pose, Gear gear) const {
   constexpr double kCell_m = 0.6;
-  const auto x = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.x_m / kCell_m)) + (1 << 26));
-  const auto y = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.y_m / kCell_m)) + (1 << 26));
-  const auto h = static_cast<std::uint64_t>((std::llround(wrapped(pose.heading_rad) / (2 * kPi) * kHeadings) + kHeadings) % kHeadings);
+  const auto x =
+      static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.x_m / kCell_m)) + (1 << 26));
+  const auto y =
+      static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.y_m / kCell_m)) + (1 << 26));
+  const auto h = static_cast<std::uint64_t>(
+      (std::llround(wrapped(pose.heading_rad) / (2 * kPi) * kHeadings) + kHeadings) % kHeadings);
   return (x << 36) | (y << 8) | (h << 1) | (gear == Gear::reverse ? 1U : 0U);
 }
 
@@ -227,7 +241,8 @@ void Search::expand(std::size_t node) {
     if (known != best_.end() && nodes_[known->second].cost <= cost) continue;
     Path way = placed_move(move, pose);
     if (!stays_inside(terrain_.space, terrain_.footprint, way)) continue;
-    if (std::any_of(terrain_.mainland.begin(), terrain_.mainland.end(), [&end](const Polygon& m) { return contains(m, end.at); }))
+    if (std::any_of(terrain_.mainland.begin(), terrain_.mainland.end(),
+                    [&end](const Polygon& m) { return contains(m, end.at); }))
       cost += kOverMainland * move.length_m;
     nodes_.push_back({end, move.gear, cost, node, std::move(way), false});
     best_[key] = nodes_.size() - 1;
@@ -278,10 +293,12 @@ Path shortened(const Terrain& terrain, Path path) {
     while (same + 1 < path.size() && path[same + 1].gear == Gear::forward) ++same;
     for (std::size_t j = std::min(same, i + 60); j > i + 1; --j) {
       if (std::abs(end_of(path[j].curve).curvature_per_m) > 1e-9) continue;
-      const Path old(path.begin() + static_cast<std::ptrdiff_t>(i), path.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      const Path old(path.begin() + static_cast<std::ptrdiff_t>(i),
+                     path.begin() + static_cast<std::ptrdiff_t>(j) + 1);
       const auto turn = direct_turn(terrain, start_pose(old), end_pose(old));
       if (!turn || cost_m(terrain, *turn) >= cost_m(terrain, old) - 0.01) continue;
-      path.erase(path.begin() + static_cast<std::ptrdiff_t>(i), path.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      path.erase(path.begin() + static_cast<std::ptrdiff_t>(i),
+                 path.begin() + static_cast<std::ptrdiff_t>(j) + 1);
       path.insert(path.begin() + static_cast<std::ptrdiff_t>(i), turn->begin(), turn->end());
       break;
     }

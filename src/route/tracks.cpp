@@ -49,7 +49,9 @@ Path run_on(const Terrain& terrain, const Pose& from) {
   constexpr double kFarthest_m = 20;
   constexpr double kStep_m = 0.5;
   double far_m = 0;
-  while (far_m < kFarthest_m && fits(terrain.space, terrain.footprint, {from.at + (far_m + kStep_m) * unit(from.heading_rad), from.heading_rad}))
+  while (far_m < kFarthest_m &&
+         fits(terrain.space, terrain.footprint,
+              {from.at + (far_m + kStep_m) * unit(from.heading_rad), from.heading_rad}))
     far_m += kStep_m;
   if (far_m == 0) return {};
   return {{line(from.at, from.at + far_m * unit(from.heading_rad)), Gear::forward}};

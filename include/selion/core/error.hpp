@@ -8,13 +8,15 @@
 
 namespace selion {
 
-/// What the user gave cannot be used: file, option, job or geometry. The message says where, what and what to do.
+/// What the user gave cannot be used: file, option, job or geometry. The message says where, what and what to
+/// do.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The input is fine, but no answer exists. `reason` names what does not fit, what is needed and what there is.
+/// The input is fine, but no answer exists. `reason` names what does not fit, what is needed and what there
+/// is.
 struct Infeasible {
   std::string reason;
 
@@ -25,8 +27,12 @@ struct Infeasible {
 template <class T>
 class Result {
  public:
-  Result(T value) : held_{std::in_place_index<0>, std::move(value)} {}              // NOLINT(google-explicit-constructor): as std::expected
-  Result(Infeasible reason) : held_{std::in_place_index<1>, std::move(reason)} {}   // NOLINT(google-explicit-constructor): as std::expected
+  Result(T value)
+      : held_{std::in_place_index<0>, std::move(value)} {
+  }  // NOLINT(google-explicit-constructor): as std::expected
+  Result(Infeasible reason)
+      : held_{std::in_place_index<1>, std::move(reason)} {
+  }  // NOLINT(google-explicit-constructor): as std::expected
 
   [[nodiscard]] bool has_value() const { return held_.index() == 0; }
   explicit operator bool() const { return has_value(); }

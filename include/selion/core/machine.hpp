@@ -10,16 +10,16 @@ namespace selion {
 
 enum class MachineKind { car, differential };
 
-/// One machine. Lengths are from the rear axle's centre (for a differential one the wheels' axle), the point whose path
-/// is planned. Only mounted tools are modelled.
+/// One machine. Lengths are from the rear axle's centre (for a differential one the wheels' axle), the point
+/// whose path is planned. Only mounted tools are modelled.
 struct Machine {
-  std::string preset = "robot-3m";        ///< the preset that the other values started from
+  std::string preset = "robot-3m";  ///< the preset that the other values started from
   MachineKind kind = MachineKind::car;
   double working_width_m = 3;
-  double tool_x_m = -1;                   ///< place of the tool line, ahead positive
+  double tool_x_m = -1;  ///< place of the tool line, ahead positive
   double body_width_m = 2;
-  double front_m = 2.4;                   ///< the body's reach ahead, > 0
-  double rear_m = 1.2;                    ///< the body's reach behind (tool included), > 0
+  double front_m = 2.4;  ///< the body's reach ahead, > 0
+  double rear_m = 1.2;   ///< the body's reach behind (tool included), > 0
   double wheelbase_m = 1.8;
   double track_m = 1.5;
   double max_steer_deg = 45;
@@ -47,15 +47,16 @@ struct Machine {
   friend bool operator==(const Machine&, const Machine&) = default;
 };
 
-/// Curvature that the steering reaches, 1/m: tan(max_steer)/wheelbase (Cariou et al. 2020, eq. 16), or 1/min_turn_radius.
+/// Curvature that the steering reaches, 1/m: tan(max_steer)/wheelbase (Cariou et al. 2020, eq. 16), or
+/// 1/min_turn_radius.
 double max_curvature_per_m(const Machine& machine);
 
-/// Sharpness (change of curvature along the path, 1/m2) that the steering rate allows at `speed_mps` (Cariou et al. 2020,
-/// eq. 20; the exact rate grows with curvature, so this is safe everywhere).
+/// Sharpness (change of curvature along the path, 1/m2) that the steering rate allows at `speed_mps` (Cariou
+/// et al. 2020, eq. 20; the exact rate grows with curvature, so this is safe everywhere).
 double max_sharpness_per_m2(const Machine& machine, double speed_mps);
 
-/// Fastest speed at which a curve of this curvature and sharpness can be driven: lateral acceleration, steering rate
-/// (eq. 20 solved for the speed) and max_speed_mps.
+/// Fastest speed at which a curve of this curvature and sharpness can be driven: lateral acceleration,
+/// steering rate (eq. 20 solved for the speed) and max_speed_mps.
 double max_speed_mps(const Machine& machine, double curvature_per_m, double sharpness_per_m2);
 
 /// @throws InputError naming the key, its value and what it must be.
@@ -65,7 +66,7 @@ struct MachinePreset {
   std::string_view name;
   std::string_view about;
   Machine machine;
-  double edge_margin_m;         ///< the defaults of the distances kept (a small robot on a test field keeps less)
+  double edge_margin_m;  ///< the defaults of the distances kept (a small robot on a test field keeps less)
   double obstacle_clearance_m;
 };
 

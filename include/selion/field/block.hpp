@@ -22,8 +22,8 @@ struct BlockOptions {
 /// A gate snapped to a block's border.
 struct BlockGate {
   std::string name;
-  Point at;                 ///< on the border
-  double inward_rad = 0;    ///< heading into the block, across the border
+  Point at;               ///< on the border
+  double inward_rad = 0;  ///< heading into the block, across the border
   std::optional<double> width_m;
 
   friend bool operator==(const BlockGate&, const BlockGate&) = default;
@@ -31,9 +31,9 @@ struct BlockGate {
 
 /// One cleaned part of a field, in local metres.
 struct Block {
-  int number = 1;            ///< of the field's blocks, from 1
-  Polygon area;              ///< the part as cleaned, its own holes and all obstacles taken off: what is to be covered
-  Polygon free;              ///< `area` with every hole grown by its clearance: where body and tool may be
+  int number = 1;  ///< of the field's blocks, from 1
+  Polygon area;    ///< the part as cleaned, its own holes and all obstacles taken off: what is to be covered
+  Polygon free;    ///< `area` with every hole grown by its clearance: where body and tool may be
   std::vector<Polygon> obstacles;
   std::vector<BlockGate> gates;
 
@@ -41,16 +41,17 @@ struct Block {
 };
 
 struct Blocks {
-  std::vector<Block> blocks;        ///< largest first
-  std::vector<std::string> notes;   ///< each repair and each gate or part left out, with place and size
+  std::vector<Block> blocks;       ///< largest first
+  std::vector<std::string> notes;  ///< each repair and each gate or part left out, with place and size
 
   friend bool operator==(const Blocks&, const Blocks&) = default;
 };
 
-/// The field's parts cleaned: closed, deduplicated, spikes removed, holes and obstacles subtracted, overlapping parts united.
-/// A repair that moves no boundary by more than 1 cm and changes the area by at most 0.1 % becomes a note.
-/// @throws InputError for any larger one (naming feature, part, ring and lon/lat, and `--repair`), for zero area, and for
-/// coordinates too far apart to be one field.
+/// The field's parts cleaned: closed, deduplicated, spikes removed, holes and obstacles subtracted,
+/// overlapping parts united. A repair that moves no boundary by more than 1 cm and changes the area by at
+/// most 0.1 % becomes a note.
+/// @throws InputError for any larger one (naming feature, part, ring and lon/lat, and `--repair`), for zero
+/// area, and for coordinates too far apart to be one field.
 Blocks blocks_of(const Field& field, const LocalFrame& frame, const BlockOptions& options);
 
 }  // namespace selion

@@ -41,15 +41,16 @@ struct Obstacle {
 
 /// One field as read, in WGS84, ring by ring as the file has it (cleaning comes with the blocks).
 struct Field {
-  int number = 1;                 ///< of the feature in its file, from 1
-  std::string name;               ///< from an attribute (name, Name, NAME, field, id ...), else the file's name
+  int number = 1;    ///< of the feature in its file, from 1
+  std::string name;  ///< from an attribute (name, Name, NAME, field, id ...), else the file's name
   std::vector<LonLatPolygon> parts;
   std::vector<Obstacle> obstacles;
   std::vector<Gate> gates;
-  std::string source;             ///< file, layer and feature, for messages
-  std::string source_crs;         ///< "EPSG:28992 (Amersfoort / RD New)"
-  std::string datum;              ///< the source's datum, "World Geodetic System 1984"
-  std::optional<double> datum_accuracy_m;  ///< PROJ's stated accuracy of the step to WGS84; absent where PROJ does not know
+  std::string source;      ///< file, layer and feature, for messages
+  std::string source_crs;  ///< "EPSG:28992 (Amersfoort / RD New)"
+  std::string datum;       ///< the source's datum, "World Geodetic System 1984"
+  std::optional<double>
+      datum_accuracy_m;  ///< PROJ's stated accuracy of the step to WGS84; absent where PROJ does not know
   std::map<std::string, std::string> attributes;
   std::vector<std::string> notes;  ///< what was skipped, assumed or warned of while reading
 

@@ -10,7 +10,8 @@
 
 namespace selion {
 
-/// Between WGS84 and metres in a plane. Copies share one PROJ object: use a copy per thread only after `cloned`.
+/// Between WGS84 and metres in a plane. Copies share one PROJ object: use a copy per thread only after
+/// `cloned`.
 class LocalFrame {
  public:
   /// Transverse Mercator centred on `origin`, scale 1 there: lengths within 1e-8 over 1 km, 3e-7 over 5 km.
@@ -21,7 +22,9 @@ class LocalFrame {
 
   [[nodiscard]] Point to_local(LonLat p) const;
   [[nodiscard]] LonLat to_lonlat(Point p) const;
-  [[nodiscard]] const std::string& proj() const { return proj_; }   ///< PROJ string of the plane, false origin included
+  [[nodiscard]] const std::string& proj() const {
+    return proj_;
+  }  ///< PROJ string of the plane, false origin included
   [[nodiscard]] LonLat origin() const { return origin_; }
   /// Grid convergence at p: bearing of the frame's north (y) clockwise from true north, degrees.
   [[nodiscard]] double convergence_deg(Point p) const;

@@ -7,8 +7,9 @@
 
 namespace selion {
 
-/// Booleans and offsets on a grid of 1 um (Clipper: Vatti 1992, exact integer arithmetic). Input may touch or overlap
-/// itself; output is clean: shells anticlockwise, holes clockwise, largest part first, no part below 1 mm2.
+/// Booleans and offsets on a grid of 1 um (Clipper: Vatti 1992, exact integer arithmetic). Input may touch or
+/// overlap itself; output is clean: shells anticlockwise, holes clockwise, largest part first, no part below
+/// 1 mm2.
 using Polygons = std::vector<Polygon>;
 
 Polygons unite(const Polygons& areas);

@@ -19,8 +19,8 @@ namespace selion {
 
 /// One drive around the border or an obstacle, or a part of one, tool down: the axle's path.
 struct HeadlandPass {
-  std::string id;      ///< "H1", "H2", ...
-  int ring = 1;        ///< 1 is outermost (nearest to border or obstacle)
+  std::string id;  ///< "H1", "H2", ...
+  int ring = 1;    ///< 1 is outermost (nearest to border or obstacle)
   Path path;
   bool closed = true;  ///< ends where it begins; may then be begun anywhere
 
@@ -29,8 +29,8 @@ struct HeadlandPass {
 
 /// One straight pass of the tool: its centre line from the A side to the B side (the tool's, not the axle's).
 struct Swath {
-  std::string id;      ///< "12", "12b"; pocket pieces "P3"
-  int strip = 0;       ///< number across the field, from 1; 0 for a pocket piece
+  std::string id;  ///< "12", "12b"; pocket pieces "P3"
+  int strip = 0;   ///< number across the field, from 1; 0 for a pocket piece
   Point from;
   Point to;
 
@@ -48,15 +48,15 @@ struct AbLine {
 /// Where tool and axle run in one block.
 struct Layout {
   DrivingDirection along;
-  AbLine ab;                            ///< swath 1's line, or the one given
+  AbLine ab;  ///< swath 1's line, or the one given
   int passes = 0;
-  double headland_depth_m = 0;          ///< from the border to where the swaths' area begins
-  double turn_depth_m = 0;              ///< what the machine's own U-turn between neighbours needs
-  Polygons headland;                    ///< the band
-  Polygons mainland;                    ///< what the swaths must cover
+  double headland_depth_m = 0;                ///< from the border to where the swaths' area begins
+  double turn_depth_m = 0;                    ///< what the machine's own U-turn between neighbours needs
+  Polygons headland;                          ///< the band
+  Polygons mainland;                          ///< what the swaths must cover
   std::vector<HeadlandPass> headland_passes;  ///< outermost first
-  std::vector<Swath> swaths;            ///< in strip order, pieces along A -> B
-  std::vector<Swath> pockets;           ///< straight pieces for what the above leave
+  std::vector<Swath> swaths;                  ///< in strip order, pieces along A -> B
+  std::vector<Swath> pockets;                 ///< straight pieces for what the above leave
   std::vector<std::string> notes;
 
   friend bool operator==(const Layout&, const Layout&) = default;
@@ -64,11 +64,11 @@ struct Layout {
 
 struct LayoutOptions {
   DrivingDirection along;
-  std::optional<AbLine> ab;             ///< fixes heading and phase
+  std::optional<AbLine> ab;  ///< fixes heading and phase
   double ab_shift_m = 0;
   double overlap_m = 0;
   double edge_margin_m = 0.3;
-  std::optional<int> passes;            ///< absent: as many as turns need
+  std::optional<int> passes;  ///< absent: as many as turns need
 
   friend bool operator==(const LayoutOptions&, const LayoutOptions&) = default;
 };

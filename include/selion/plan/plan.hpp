@@ -26,7 +26,7 @@ struct WorkedTwice {
 
 struct Uncovered {
   LonLatArea area;
-  LonLat at;              ///< a place inside it
+  LonLat at;  ///< a place inside it
   double area_m2 = 0;
 
   friend bool operator==(const Uncovered&, const Uncovered&) = default;
@@ -36,16 +36,16 @@ struct Uncovered {
 struct BlockReport {
   int number = 1;
   double area_m2 = 0;
-  std::string refused;              ///< why it is not planned; empty where it is
+  std::string refused;  ///< why it is not planned; empty where it is
   double covered_m2 = 0;
   WorkedTwice twice;
   std::vector<Uncovered> uncovered;  ///< largest first
-  double bearing_deg = 0;           ///< of the swaths, A to B
-  int swaths = 0;                   ///< strips across the field
-  int pieces = 0;                   ///< swath pieces, pocket pieces included
+  double bearing_deg = 0;            ///< of the swaths, A to B
+  int swaths = 0;                    ///< strips across the field
+  int pieces = 0;                    ///< swath pieces, pocket pieces included
   int headland_passes = 0;
   double headland_depth_m = 0;
-  double turn_depth_m = 0;          ///< what the machine's U-turn needs beyond the end of a swath
+  double turn_depth_m = 0;  ///< what the machine's U-turn needs beyond the end of a swath
   double work_m = 0, turn_m = 0, transfer_m = 0, reverse_m = 0;
   double work_s = 0, turn_s = 0, transfer_s = 0;
   int turns = 0;
