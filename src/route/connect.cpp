@@ -10,14 +10,7 @@
 namespace selion {
 namespace {
 
-constexpr double kOverMainland = 0.5;  // extra cost of a metre over the mainland
-constexpr double kInReverse = 1.0;     // extra cost of a metre in reverse
-constexpr double kGearChange_m = 6;    // what stopping and changing gear is worth
 constexpr double kCostStep_m = 1;
-
-bool in_any(const Polygons& areas, Point p) {
-  return std::any_of(areas.begin(), areas.end(), [p](const Polygon& area) { return contains(area, p); });
-}
 
 /// Longer than this, a single turn is no turn any more but a wander over the field.
 double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) {
@@ -25,6 +18,11 @@ double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) 
 }
 
 }  // namespace
+
+bool on_mainland(const Terrain& terrain, Point p) {
+  return std::any_of(terrain.mainland.begin(), terrain.mainland.end(),
+                     [p](const Polygon& area) { return contains(area, p); });
+}
 
 double cost_m(const Terrain& terrain, const Path& path) {
   double cost = 0;
@@ -34,7 +32,7 @@ double cost_m(const Terrain& terrain, const Path& path) {
     const int steps = std::max(1, static_cast<int>(std::ceil(length / kCostStep_m)));
     int over = 0;
     for (int i = 0; i < steps; ++i)
-      if (in_any(terrain.mainland, state_at(stretch.curve, length * (i + 0.5) / steps).at)) ++over;
+      if (on_mainland(terrain, state_at(stretch.curve, length * (i + 0.5) / steps).at)) ++over;
     cost += length * (1 + kOverMainland * over / steps + (stretch.gear == Gear::reverse ? kInReverse : 0));
     if (stretch.gear != last) cost += kGearChange_m;
     last = stretch.gear;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
+#include "frontier.hpp"
 #include "selion/core/angle.hpp"
 
 namespace selion {
@@ -15,6 +15,7 @@ constexpr std::size_t kLinksTried = 10;  // turns tried from a station to other 
 constexpr std::size_t kJoinsTried = 10;  // stations tried for the first and the last turn
 constexpr int kOfOneLine = 2;
 constexpr std::size_t kMostVisited = 20000;
+constexpr double kFarthestBeyond_m = 40;  // of a straight run backwards into a pose
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 long long cell_key(double x, double y) {
@@ -73,6 +74,7 @@ std::vector<std::size_t> Roads::near(Point p, double radius_m) const {
 std::vector<std::size_t> Roads::likely(const Pose& from, const std::vector<std::size_t>& nodes,
                                        std::size_t most) const {
   std::vector<std::pair<double, std::size_t>> ranked;
+  ranked.reserve(nodes.size());
   for (const std::size_t node : nodes)
     ranked.emplace_back(guess_m(from, station(node).pose, 1 / terrain_.limits.curvature_per_m), node);
   return foremost(std::move(ranked), most);
@@ -119,14 +121,16 @@ const std::vector<Roads::Link>& Roads::links(std::size_t node) {
   return links_.emplace(node, std::move(found)).first->second;
 }
 
+void Roads::keep_cheaper(Joins& joins, std::size_t node, Path path) const {
+  const double cost = cost_m(terrain_, path);
+  Join& known = joins.try_emplace(node, Join{{}, kFar}).first->second;
+  if (cost < known.cost_m) known = {std::move(path), cost};
+}
+
 void Roads::join_from(Joins& joins, const Pose& pose, const Path& before) const {
   for (const std::size_t node : likely(pose, near(pose.at, reach_m_), kJoinsTried)) {
     auto turn = direct_turn(terrain_, pose, station(node).pose);
-    if (!turn) continue;
-    Path path = joined(before, *turn, {});
-    const double cost = cost_m(terrain_, path);
-    const auto [place, fresh] = joins.try_emplace(node, Join{path, cost});
-    if (!fresh && cost < place->second.cost_m) place->second = {std::move(path), cost};
+    if (turn) keep_cheaper(joins, node, joined(before, *turn, {}));
   }
 }
 
@@ -141,66 +145,61 @@ void Roads::join_to(Joins& joins, const Pose& pose, const Path& after) const {
   }
   for (const std::size_t node : foremost(std::move(ranked), kJoinsTried)) {
     auto turn = direct_turn(terrain_, station(node).pose, pose);
-    if (!turn) continue;
-    Path path = joined({}, *turn, after);
-    const double cost = cost_m(terrain_, path);
-    const auto [place, fresh] = joins.try_emplace(node, Join{path, cost});
-    if (!fresh && cost < place->second.cost_m) place->second = {std::move(path), cost};
+    if (turn) keep_cheaper(joins, node, joined({}, *turn, after));
   }
 }
 
-std::optional<Path> Roads::way(const Pose& from, const Pose& to, const std::vector<Path>& retreats) {
-  Joins starts, ends;
+Roads::Joins Roads::starts_from(const Pose& from, const std::vector<Path>& retreats) const {
+  Joins starts;
   join_from(starts, from, {});
   for (const Path& run : retreats) join_from(starts, end_pose(run), run);
-  if (starts.empty()) return std::nullopt;
-  join_to(ends, to, {});
-  if (terrain_.may_reverse)
-    for (double ahead_m = 1 / terrain_.limits.curvature_per_m; ahead_m < 40; ahead_m *= 2) {
-      const Pose beyond{to.at + ahead_m * unit(to.heading_rad), to.heading_rad};
-      const Path run{{line(beyond.at, to.at), Gear::reverse}};
-      if (!fits(terrain_.space, terrain_.footprint, run)) break;
-      join_to(ends, beyond, run);
-    }
-  if (ends.empty()) return std::nullopt;
+  return starts;
+}
 
-  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  struct Reached {
-    double cost_m = kFar;
-    std::size_t parent = kNone;
-    const Path* path = nullptr;
-  };
-  std::unordered_map<std::size_t, Reached> reached;
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const auto reach = [&](std::size_t node, double cost, std::size_t parent, const Path* path) {
-    Reached& r = reached[node];
-    if (cost >= r.cost_m) return;
-    r = {cost, parent, path};
-    open.emplace(cost + distance_m(station(node).pose.at, to.at), node);
-  };
-  for (const auto& [node, join] : starts) reach(node, join.cost_m, kNone, &join.path);
+Roads::Joins Roads::ends_at(const Pose& to) const {
+  Joins ends;
+  join_to(ends, to, {});
+  double ahead_m = 1 / terrain_.limits.curvature_per_m;
+  while (terrain_.may_reverse && ahead_m < kFarthestBeyond_m) {
+    const Pose beyond{to.at + ahead_m * unit(to.heading_rad), to.heading_rad};
+    const Path run{{line(beyond.at, to.at), Gear::reverse}};
+    if (!fits(terrain_.space, terrain_.footprint, run)) break;
+    join_to(ends, beyond, run);
+    ahead_m *= 2;
+  }
+  return ends;
+}
+
+std::optional<Path> Roads::way(const Pose& from, const Pose& to, const std::vector<Path>& retreats) {
+  const Joins starts = starts_from(from, retreats);
+  if (starts.empty()) return std::nullopt;
+  const Joins ends = ends_at(to);
+  if (ends.empty()) return std::nullopt;
+  return between(starts, ends, to.at);
+}
+
+/// A* with the distance as the crow flies.
+std::optional<Path> Roads::between(const Joins& starts, const Joins& ends, Point goal) {
+  const auto rest_m = [&](std::size_t node) { return distance_m(station(node).pose.at, goal); };
+  Frontier frontier;
+  for (const auto& [node, join] : starts)
+    frontier.reach(node, {join.cost_m, std::nullopt, &join.path}, rest_m(node));
   double least = kFar;
-  std::size_t best = kNone;
-  for (std::size_t visited = 0; !open.empty() && visited < kMostVisited; ++visited) {
-    const auto [bound, node] = open.top();
-    open.pop();
+  std::optional<std::size_t> best;
+  for (std::size_t visited = 0; !frontier.empty() && visited < kMostVisited; ++visited) {
+    const auto [bound, node] = frontier.take();
     if (bound >= least) break;
-    const double cost = reached[node].cost_m;
-    if (cost + distance_m(station(node).pose.at, to.at) < bound - 1e-9) continue;
+    const double cost = frontier.cost_m(node);
+    if (cost + rest_m(node) < bound - 1e-9) continue;  // was reached more cheaply since
     if (const auto end = ends.find(node); end != ends.end() && cost + end->second.cost_m < least) {
       least = cost + end->second.cost_m;
       best = node;
     }
-    for (const Link& link : links(node)) reach(link.to, cost + link.cost_m, node, &link.path);
+    for (const Link& link : links(node))
+      frontier.reach(link.to, {cost + link.cost_m, node, &link.path}, rest_m(link.to));
   }
-  if (best == kNone) return std::nullopt;
-  std::vector<const Path*> parts{&ends.at(best).path};
-  for (std::size_t node = best; node != kNone; node = reached[node].parent)
-    parts.push_back(reached[node].path);
-  Path whole;
-  for (auto it = parts.rbegin(); it != parts.rend(); ++it) append(whole, **it);
-  return whole;
+  if (!best) return std::nullopt;
+  return frontier.way_over(*best, ends.at(*best).path);
 }
 
 }  // namespace selion

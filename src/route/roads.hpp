@@ -10,6 +10,8 @@
 
 namespace selion {
 
+struct Layout;
+
 /// A line that is driven anyway, as a one-way road: the axle's path and the straight places where one can
 /// join or leave.
 struct Track {
@@ -24,6 +26,8 @@ struct Track {
 };
 
 Track track_of(const Path& path, bool closed);
+/// Every line of the layout, in each direction in which the machine fits on it.
+std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const Terrain& terrain);
 /// A straight way on from a pose, as far as the machine fits, 20 m at most; empty where it fits nowhere.
 Path run_on(const Terrain& terrain, const Pose& from);
 /// The path driven forwards the other way.
@@ -69,8 +73,12 @@ class Roads {
                                                   std::size_t most) const;
   const std::vector<Link>& links(std::size_t node);
   std::optional<Link> along(std::size_t node) const;
+  void keep_cheaper(Joins& joins, std::size_t node, Path path) const;
   void join_from(Joins& joins, const Pose& pose, const Path& before) const;
   void join_to(Joins& joins, const Pose& pose, const Path& after) const;
+  [[nodiscard]] Joins starts_from(const Pose& from, const std::vector<Path>& retreats) const;
+  [[nodiscard]] Joins ends_at(const Pose& to) const;
+  std::optional<Path> between(const Joins& starts, const Joins& ends, Point goal);
 
   const Terrain& terrain_;
   std::vector<Track> tracks_;

@@ -40,7 +40,9 @@ Path part_of(const Path& path, double from_m, double to_m) {
 
 Path turned_round(const Path& path) {
   Path out;
-  for (auto it = path.rbegin(); it != path.rend(); ++it) out.push_back({reversed(it->curve), it->gear});
+  out.reserve(path.size());
+  for (const Stretch& stretch : path) out.push_back({reversed(stretch.curve), stretch.gear});
+  std::reverse(out.begin(), out.end());
   return out;
 }
 

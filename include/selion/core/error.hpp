@@ -27,12 +27,10 @@ struct Infeasible {
 template <class T>
 class Result {
  public:
-  Result(T value)
-      : held_{std::in_place_index<0>, std::move(value)} {
-  }  // NOLINT(google-explicit-constructor): as std::expected
-  Result(Infeasible reason)
-      : held_{std::in_place_index<1>, std::move(reason)} {
-  }  // NOLINT(google-explicit-constructor): as std::expected
+  // NOLINTNEXTLINE(google-explicit-constructor): either is returned as it is, as with std::expected
+  Result(T value) : held_{std::in_place_index<0>, std::move(value)} {}
+  // NOLINTNEXTLINE(google-explicit-constructor): either is returned as it is, as with std::expected
+  Result(Infeasible reason) : held_{std::in_place_index<1>, std::move(reason)} {}
 
   [[nodiscard]] bool has_value() const { return held_.index() == 0; }
   explicit operator bool() const { return has_value(); }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "connect.hpp"
+#include "roads.hpp"
+#include "selion/route/route.hpp"
+#include "task.hpp"
+
+namespace selion {
+
+/// One machine on its way through one block: where it stands, what it has driven, and how it gets to the next
+/// task. Refers to the layout and the machine that it is given.
+class Driver {
+ public:
+  Driver(const Block& block, const Layout& layout, const Machine& machine);
+
+  [[nodiscard]] const Terrain& terrain() const { return terrain_; }
+  [[nodiscard]] const Machine& machine() const { return machine_; }
+  /// Absent while it has neither been placed nor driven anything: then it may begin anywhere.
+  [[nodiscard]] const std::optional<Pose>& here() const { return here_; }
+  [[nodiscard]] const std::vector<RoutePiece>& driven() const { return driven_; }
+
+  void stand_at(std::optional<Pose> pose) { here_ = pose; }
+  /// Drives to the task by the cheapest of its ways and works it; false where it cannot be reached.
+  bool drive_to(const Task& task);
+  /// Drives from where it stands to `goal` without working; false where no way is found.
+  bool drive_out_to(const Pose& goal);
+
+ private:
+  struct Approach {
+    const Path* work;
+    Path way;
+    double cost_m;
+  };
+
+  [[nodiscard]] std::optional<Approach> approach(const Task& task);
+  void consider(std::optional<Approach>& best, const Path& work, std::optional<Path> way) const;
+  void work(const Task& task, const Path& way, const Path& work);
+  [[nodiscard]] std::vector<Path> ways_back() const;
+  [[nodiscard]] Pose before(const Path& work) const;
+  [[nodiscard]] double longest_turn_m() const;
+
+  const Machine& machine_;
+  FreeSpace space_;
+  Terrain terrain_;
+  Roads roads_;
+  std::optional<Pose> here_;
+  std::vector<RoutePiece> driven_;
+};
+
+}  // namespace selion

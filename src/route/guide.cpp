@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace selion {
+namespace {
+
+constexpr double kMostCells = 500;  // a side of the grid
+constexpr double kLeastCell_m = 0.75;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Guide::Guide(const Terrain& terrain, const Pose& from, const Pose& to, double margin_m) {
+  const Box field = bounds(terrain.space.area().shell);
+  const Box both = bounds({from.at, to.at});
+  low_ = {std::max(field.low.x_m, both.low.x_m - margin_m), std::max(field.low.y_m, both.low.y_m - margin_m)};
+  const Point high{std::min(field.high.x_m, both.high.x_m + margin_m),
+                   std::min(field.high.y_m, both.high.y_m + margin_m)};
+  const Point size = high - low_;
+  cell_m_ = std::max(kLeastCell_m, std::max(size.x_m, size.y_m) / kMostCells);
+  columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 1;
+  rows_ = static_cast<std::size_t>(std::max(0.0, size.y_m) / cell_m_) + 1;
+  distance_.assign(columns_ * rows_, kFar);
+  spread(terrain, to.at);
+}
+
+std::optional<std::size_t> Guide::cell_of(Point p) const {
+  const double x = std::floor((p.x_m - low_.x_m) / cell_m_);
+  const double y = std::floor((p.y_m - low_.y_m) / cell_m_);
+  if (x < 0 || y < 0 || x >= static_cast<double>(columns_) || y >= static_cast<double>(rows_))
+    return std::nullopt;
+  return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
+}
+
+Point Guide::centre_of(std::size_t cell) const {
+  const std::size_t column = cell % columns_;
+  const std::size_t row = cell / columns_;
+  return low_ +
+         Point{(static_cast<double>(column) + 0.5) * cell_m_, (static_cast<double>(row) + 0.5) * cell_m_};
+}
+
+std::optional<std::size_t> Guide::neighbour(std::size_t cell, Step step) const {
+  const int x = static_cast<int>(cell % columns_) + step.dx;
+  const int y = static_cast<int>(cell / columns_) + step.dy;
+  if (x < 0 || y < 0 || x >= static_cast<int>(columns_) || y >= static_cast<int>(rows_)) return std::nullopt;
+  return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
+}
+
+/// Half the body has room there; touching squares keep the walk inside without asking again.
+bool Guide::open(const Terrain& terrain, Point p) const {
+  if (terrain.space.far_from_border(p)) return true;
+  const double half = std::max(cell_m_ / 2, 0.8 * terrain.footprint.half_body_m);
+  return terrain.space.clear(
+      {p + Point{-half, -half}, p + Point{half, -half}, p + Point{half, half}, p + Point{-half, half}});
+}
+
+Guide::Ground Guide::ground_at(const Terrain& terrain, Point p) const {
+  if (!open(terrain, p)) return Ground::closed;
+  return on_mainland(terrain, p) ? Ground::mainland : Ground::open;
+}
+
+double Guide::dearness(Ground ground) {
+  if (ground == Ground::closed) return kFar;
+  return ground == Ground::mainland ? 1 + kOverMainland : 1;
+}
+
+/// Dijkstra from the goal.
+void Guide::spread(const Terrain& terrain, Point goal) {
+  const auto start = cell_of(goal);
+  if (!start) return;
+  std::vector<Ground> ground(distance_.size(), Ground::unknown);
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  distance_[*start] = 0;
+  queue.emplace(0, *start);
+  while (!queue.empty()) {
+    const auto [done_m, cell] = queue.top();
+    queue.pop();
+    if (done_m > distance_[cell]) continue;
+    for (const Step step : {Step{-1, -1}, Step{0, -1}, Step{1, -1}, Step{-1, 0}, Step{1, 0}, Step{-1, 1},
+                            Step{0, 1}, Step{1, 1}}) {
+      const auto other = neighbour(cell, step);
+      if (!other) continue;
+      Ground& there = ground[*other];
+      if (there == Ground::unknown) there = ground_at(terrain, centre_of(*other));
+      const double reached_m = done_m + cell_m_ * std::hypot(step.dx, step.dy) * dearness(there);
+      if (reached_m >= distance_[*other]) continue;
+      distance_[*other] = reached_m;
+      queue.emplace(reached_m, *other);
+    }
+  }
+}
+
+double Guide::to_goal_m(Point p) const {
+  const auto cell = cell_of(p);
+  if (!cell) return kFar;
+  double best = distance_[*cell];
+  if (best < kFar) return best;
+  // a pose may stand in a cell that is closed by the half body's square: look around it
+  for (const Point step : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}})
+    if (const auto other = cell_of(p + cell_m_ * step)) best = std::min(best, distance_[*other] + cell_m_);
+  return best;
+}
+
+}  // namespace selion

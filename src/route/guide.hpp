@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "connect.hpp"
+
+namespace selion {
+
+/// Shortest ways for a point to the goal over square cells, mainland dearer: the heuristic of the search.
+class Guide {
+ public:
+  /// Over the field within `margin_m` of the box around both poses.
+  Guide(const Terrain& terrain, const Pose& from, const Pose& to, double margin_m);
+
+  /// Infinite where no way was found.
+  [[nodiscard]] double to_goal_m(Point p) const;
+
+ private:
+  enum class Ground : unsigned char { unknown, closed, open, mainland };
+  struct Step {
+    int dx;
+    int dy;
+  };
+
+  [[nodiscard]] std::optional<std::size_t> cell_of(Point p) const;
+  [[nodiscard]] Point centre_of(std::size_t cell) const;
+  [[nodiscard]] std::optional<std::size_t> neighbour(std::size_t cell, Step step) const;
+  [[nodiscard]] bool open(const Terrain& terrain, Point p) const;
+  [[nodiscard]] Ground ground_at(const Terrain& terrain, Point p) const;
+  [[nodiscard]] static double dearness(Ground ground);
+  void spread(const Terrain& terrain, Point goal);
+
+  Point low_;
+  double cell_m_ = 1;
+  std::size_t columns_ = 1;
+  std::size_t rows_ = 1;
+  std::vector<double> distance_;
+};
+
+}  // namespace selion

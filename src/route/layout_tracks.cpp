@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "roads.hpp"
+#include "selion/layout/layout.hpp"
+#include "task.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kSwathEnd_m = 4;  // of a swath: where it is joined as a road
+
+bool near_box(const Box& box, Point p, double near_m) {
+  return p.x_m > box.low.x_m - near_m && p.x_m < box.high.x_m + near_m && p.y_m > box.low.y_m - near_m &&
+         p.y_m < box.high.y_m + near_m;
+}
+
+/// Swaths serve as roads to and from obstacles inside: they are joined at their ends and beside those only.
+Track swath_track(const Terrain& terrain, const Path& way, double near_m) {
+  Track track = track_of(way, false);
+  const auto beside_hole = [&](const Track::Station& station) {
+    const auto& holes = terrain.space.area().holes;
+    return std::any_of(holes.begin(), holes.end(),
+                       [&](const Ring& hole) { return near_box(bounds(hole), station.pose.at, near_m); });
+  };
+  const double length = track.length_m;
+  std::erase_if(track.stations, [&](const Track::Station& station) {
+    return station.s_m > kSwathEnd_m && station.s_m < length - kSwathEnd_m && !beside_hole(station);
+  });
+  return track;
+}
+
+/// The pocket piece, run on straight beyond both of its ends.
+Path pocket_way(const Terrain& terrain, const Machine& machine, const Swath& pocket) {
+  Path way = turned_round(swath_way(machine, pocket, Sense::forth));
+  append(way, run_on(terrain, end_pose(way)));
+  way = turned_round(way);
+  append(way, run_on(terrain, end_pose(way)));
+  return way;
+}
+
+void add_both_ways(std::vector<Track>& tracks, const Terrain& terrain, const Path& path, bool closed) {
+  for (const Path& way : {path, turned_round(path)})
+    if (fits(terrain.space, terrain.footprint, way)) tracks.push_back(track_of(way, closed));
+}
+
+}  // namespace
+
+std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const Terrain& terrain) {
+  std::vector<Track> tracks;
+  for (const HeadlandPass& pass : layout.headland_passes)
+    add_both_ways(tracks, terrain, pass.path, pass.closed);
+  for (const Swath& pocket : layout.pockets)
+    add_both_ways(tracks, terrain, pocket_way(terrain, machine, pocket), false);
+  const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
+  for (const Swath& swath : layout.swaths)
+    for (const Path& way : swath_task(terrain, machine, swath, Sense::forth).ways)
+      tracks.push_back(swath_track(terrain, way, near_m));
+  return tracks;
+}
+
+}  // namespace selion

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "task.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roads.hpp"
+
+namespace selion {
+namespace {
+
+constexpr std::size_t kRingStarts = 24;  // places tried to begin a headland pass
+constexpr double kLeastSplit = 8;  // working widths of length from which an open headland pass may be split
+
+/// The path from its first straight place at or beyond `from_m`: a swath may only be begun where the wheels
+/// stand straight.
+Path from_straight(const Path& path, double from_m) {
+  double begin_m = 0;
+  for (const Stretch& stretch : path) {
+    const bool straight = stretch.curve.curvature_per_m == 0 && stretch.curve.sharpness_per_m2 == 0;
+    const double end_m = begin_m + stretch.curve.length_m;
+    if (straight && end_m > from_m) return part_of(path, std::max(begin_m, from_m), length_m(path));
+    begin_m = end_m;
+  }
+  return path;
+}
+
+/// The same ground worked the other way: the axle's path is moved on by the tool's place at either end.
+Path tool_turned_round(const Path& path, double tool_x_m) {
+  Path back = turned_round(path);
+  const double shift_m = -2 * tool_x_m;  // from leading the tool at one end to leading it at the other
+  const Pose end = end_pose(back);
+  if (shift_m > 0) append(back, {{line(end.at, end.at + shift_m * unit(end.heading_rad)), Gear::forward}});
+  if (shift_m <= 0 || length_m(back) < 2 * shift_m) return back;
+  return from_straight(back, shift_m);
+}
+
+/// The round begun at the stations nearest to `here`.
+std::vector<Path> begun_around(const Path& round, const std::optional<Pose>& here) {
+  Track track = track_of(round, true);
+  std::stable_sort(track.stations.begin(), track.stations.end(),
+                   [&here](const Track::Station& a, const Track::Station& b) {
+                     return far_m(here, a.pose) < far_m(here, b.pose);
+                   });
+  if (track.stations.size() > kRingStarts) track.stations.resize(kRingStarts);
+  std::vector<Path> ways;
+  for (const Track::Station& station : track.stations)
+    ways.push_back(part_of(round, station.s_m, station.s_m + track.length_m));
+  return ways;
+}
+
+}  // namespace
+
+Sense opposite(Sense sense) { return sense == Sense::forth ? Sense::back : Sense::forth; }
+
+Path swath_way(const Machine& machine, const Swath& swath, Sense sense) {
+  return sense == Sense::forth ? swath_path(machine, swath.from, swath.to)
+                               : swath_path(machine, swath.to, swath.from);
+}
+
+Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath, Sense preferred) {
+  Task task{PieceKind::swath, swath.id, {}};
+  for (const Sense sense : {preferred, opposite(preferred)})
+    if (Path way = swath_way(machine, swath, sense); fits(terrain.space, terrain.footprint, way))
+      task.ways.push_back(std::move(way));
+  return task;
+}
+
+Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path) {
+  Task task{PieceKind::headland_pass, std::move(id), {}};
+  for (const Path& way : {path, tool_turned_round(path, machine.tool_x_m)})
+    if (fits(terrain.space, terrain.footprint, way)) task.ways.push_back(way);
+  return task;
+}
+
+Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here) {
+  Task task{PieceKind::headland_pass, pass.id, begun_around(pass.path, here), true};
+  if (const Path back = turned_round(pass.path); fits(terrain.space, terrain.footprint, back))
+    for (Path& way : begun_around(back, here)) task.ways.push_back(std::move(way));
+  sort_nearest_first(task.ways, here);
+  return task;
+}
+
+std::optional<double> split_place_m(const Task& task, double working_width_m) {
+  if (task.kind != PieceKind::headland_pass || task.closed || task.ways.empty()) return std::nullopt;
+  const Track track = track_of(task.ways.front(), false);
+  if (track.length_m < kLeastSplit * working_width_m) return std::nullopt;
+  const auto off_middle_m = [half_m = track.length_m / 2](const Track::Station& station) {
+    return std::abs(station.s_m - half_m);
+  };
+  const auto middle = std::min_element(
+      track.stations.begin(), track.stations.end(),
+      [&](const Track::Station& a, const Track::Station& b) { return off_middle_m(a) < off_middle_m(b); });
+  if (middle == track.stations.end()) return std::nullopt;
+  if (middle->s_m < track.length_m / 4 || middle->s_m > 3 * track.length_m / 4) return std::nullopt;
+  return middle->s_m;
+}
+
+double far_m(const std::optional<Pose>& here, const Pose& pose) {
+  return here ? distance_m(here->at, pose.at) : 0;
+}
+
+void sort_nearest_first(std::vector<Path>& ways, const std::optional<Pose>& here) {
+  std::stable_sort(ways.begin(), ways.end(), [&here](const Path& a, const Path& b) {
+    return far_m(here, start_pose(a)) < far_m(here, start_pose(b));
+  });
+}
+
+}  // namespace selion

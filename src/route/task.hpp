@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "connect.hpp"
+#include "selion/core/machine.hpp"
+#include "selion/layout/layout.hpp"
+#include "selion/route/route.hpp"
+
+namespace selion {
+
+/// A piece of work and the ways it may be driven, the preferred one first.
+struct Task {
+  PieceKind kind = PieceKind::swath;
+  std::string id;
+  std::vector<Path> ways;
+  bool closed = false;  ///< a headland pass all around
+};
+
+enum class Sense { forth, back };  ///< from a swath's A side to its B side, or the other way
+
+Sense opposite(Sense sense);
+Path swath_way(const Machine& machine, const Swath& swath, Sense sense);
+
+/// A swath or pocket piece: driven as `preferred`, then the other way, each where the machine fits.
+Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath, Sense preferred);
+
+/// A part of the way round: either way along it.
+Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path);
+
+/// A closed pass begun at stations all around, both ways round where the machine fits; from `here` the
+/// nearest first.
+Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here);
+
+/// Where along its first way a long open pass may be cut into two; absent where it may not.
+std::optional<double> split_place_m(const Task& task, double working_width_m);
+
+/// As the crow flies; 0 where the machine does not stand anywhere yet.
+double far_m(const std::optional<Pose>& here, const Pose& pose);
+void sort_nearest_first(std::vector<Path>& ways, const std::optional<Pose>& here);
+
+}  // namespace selion

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "work.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace selion {
+namespace {
+
+constexpr int kGiveUpChain = 3;   // pieces of a chain not reached in a row
+constexpr int kGiveUpTasks = 24;  // pieces of any kind not reached in a row
+
+void move_to_end(std::vector<Task>& tasks, std::vector<Task>& from) {
+  tasks.insert(tasks.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  from.clear();
+}
+
+std::vector<const HeadlandPass*> passes_of(const Layout& layout) {
+  std::vector<const HeadlandPass*> passes;
+  for (const HeadlandPass& pass : layout.headland_passes) passes.push_back(&pass);
+  return passes;
+}
+
+}  // namespace
+
+Work::Entry Work::nearest_entry(const std::vector<Chain>& chains) const {
+  Entry best;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    for (const Entry entry : {Entry{i, false, Sense::forth}, Entry{i, false, Sense::back},
+                              Entry{i, true, Sense::forth}, Entry{i, true, Sense::back}}) {
+      const Swath& swath = entry.at_last ? *chains[i].back() : *chains[i].front();
+      const double far = far_m(driver_.here(), start_pose(swath_way(driver_.machine(), swath, entry.sense)));
+      if (far >= least_m - 1e-6) continue;
+      least_m = far;
+      best = entry;
+    }
+  return best;
+}
+
+void Work::swaths(const Progress& progress) {
+  std::vector<Chain> chains = chains_of(layout_.swaths, layout_.along);
+  const std::size_t all = chains.size();
+  while (!chains.empty()) {
+    progress("driving", 1 - static_cast<double>(chains.size()) / static_cast<double>(all));
+    const Entry entry = nearest_entry(chains);
+    Chain chain = std::move(chains[entry.chain]);
+    chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(entry.chain));
+    if (entry.at_last) std::reverse(chain.begin(), chain.end());
+    work_chain(std::move(chain), entry.sense);
+  }
+}
+
+void Work::work_chain(Chain chain, Sense sense) {
+  int failed = 0;
+  for (const Swath* swath : chain) {
+    Task task = swath_task(driver_.terrain(), driver_.machine(), *swath, sense);
+    if (failed >= kGiveUpChain || !driver_.drive_to(task)) {  // the rest is no nearer: later, from elsewhere
+      ++failed;
+      put_off_.push_back(std::move(task));
+      continue;
+    }
+    failed = 0;
+    const Point end = driver_.here()->at;  // the neighbour is driven back
+    sense = distance_m(end, swath->from) < distance_m(end, swath->to) ? Sense::forth : Sense::back;
+  }
+}
+
+double Work::nearness_m(const Task& task) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Path& way : task.ways) least = std::min(least, far_m(driver_.here(), start_pose(way)));
+  return least;
+}
+
+/// Nearest first; what cannot be reached from here is tried again from elsewhere, at last given up.
+void Work::work_nearest(std::vector<Task> tasks) {
+  std::vector<Task> failed;
+  int in_a_row = 0;
+  while (!tasks.empty() && in_a_row < kGiveUpTasks) {
+    const auto next = std::min_element(tasks.begin(), tasks.end(), [this](const Task& a, const Task& b) {
+      return nearness_m(a) < nearness_m(b);
+    });
+    Task task = std::move(*next);
+    tasks.erase(next);
+    sort_nearest_first(task.ways, driver_.here());
+    if (driver_.drive_to(task)) {
+      move_to_end(tasks, failed);
+      in_a_row = 0;
+    } else if (!split(task, tasks)) {
+      failed.push_back(std::move(task));
+      ++in_a_row;
+    }
+  }
+  move_to_end(put_off_, failed);
+  move_to_end(put_off_, tasks);  // cut off from here
+}
+
+/// A long open pass that cannot be reached at its ends may be begun in its middle: two passes instead of one.
+bool Work::split(const Task& task, std::vector<Task>& into) {
+  const auto middle_m = split_place_m(task, driver_.machine().working_width_m);
+  if (!middle_m) return false;
+  const Path& whole = task.ways.front();
+  const std::string pass = task.id.substr(0, task.id.find('.'));
+  for (const auto& [from_m, to_m] : {std::pair{0.0, *middle_m}, std::pair{*middle_m, length_m(whole)}})
+    into.push_back(open_pass_task(driver_.terrain(), driver_.machine(),
+                                  pass + "." + std::to_string(++parts_of_[pass]),
+                                  part_of(whole, from_m, to_m)));
+  return true;
+}
+
+void Work::pockets() {
+  std::vector<Task> tasks;
+  for (const Swath& pocket : layout_.pockets)
+    tasks.push_back(swath_task(driver_.terrain(), driver_.machine(), pocket, Sense::forth));
+  move_to_end(tasks, put_off_);
+  work_nearest(std::move(tasks));
+}
+
+void Work::put_off() { work_nearest(std::exchange(put_off_, {})); }
+
+void Work::headland_inwards() {
+  std::vector<const HeadlandPass*> order = passes_of(layout_);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const HeadlandPass* a, const HeadlandPass* b) { return a->ring < b->ring; });
+  work_rings(order);
+}
+
+void Work::headland_outwards() {
+  std::vector<const HeadlandPass*> order = passes_of(layout_);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const HeadlandPass* a, const HeadlandPass* b) { return a->ring > b->ring; });
+  work_rings(order);
+}
+
+void Work::work_rings(const std::vector<const HeadlandPass*>& order) {
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last = std::find_if(first, order.end(),
+                                   [&](const HeadlandPass* pass) { return pass->ring != (*first)->ring; });
+    work_ring({first, last});
+    first = last;
+  }
+}
+
+/// Passes of one depth: nearest first.
+void Work::work_ring(std::vector<const HeadlandPass*> passes) {
+  std::vector<Task> failed;
+  while (!passes.empty()) {
+    const auto nearest =
+        std::min_element(passes.begin(), passes.end(), [this](const HeadlandPass* a, const HeadlandPass* b) {
+          return far_m(driver_.here(), start_pose(a->path)) < far_m(driver_.here(), start_pose(b->path));
+        });
+    Task task = pass_task(**nearest);
+    if (!driver_.drive_to(task)) failed.push_back(std::move(task));
+    passes.erase(nearest);
+  }
+  work_nearest(std::move(failed));
+}
+
+Task Work::pass_task(const HeadlandPass& pass) const {
+  return pass.closed ? closed_pass_task(driver_.terrain(), pass, driver_.here())
+                     : open_pass_task(driver_.terrain(), driver_.machine(), pass.id, pass.path);
+}
+
+std::vector<std::string> Work::left() const {
+  std::vector<std::string> ids;
+  for (const Task& task : put_off_) ids.push_back(task.id);
+  return ids;
+}
+
+}  // namespace selion

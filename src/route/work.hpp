@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "chains.hpp"
+#include "driver.hpp"
+#include "selion/core/progress.hpp"
+
+namespace selion {
+
+/// The order in which a driver works a layout's pieces: each of the functions drives what it can reach and
+/// keeps the rest for later.
+class Work {
+ public:
+  Work(Driver& driver, const Layout& layout) : driver_{driver}, layout_{layout} {}
+
+  /// Chain by chain, the nearest end first, each back and forth.
+  void swaths(const Progress& progress);
+  /// Pockets, and what was put off, nearest first.
+  void pockets();
+  /// Ring by ring, from the outermost in or from the innermost out.
+  void headland_inwards();
+  void headland_outwards();
+  /// Once more what was put off.
+  void put_off();
+  /// Ids of what was put off and not reached since.
+  [[nodiscard]] std::vector<std::string> left() const;
+
+ private:
+  /// Where a chain is begun.
+  struct Entry {
+    std::size_t chain = 0;
+    bool at_last = false;
+    Sense sense = Sense::forth;
+  };
+
+  [[nodiscard]] Entry nearest_entry(const std::vector<Chain>& chains) const;
+  void work_chain(Chain chain, Sense sense);
+  [[nodiscard]] double nearness_m(const Task& task) const;
+  void work_nearest(std::vector<Task> tasks);
+  bool split(const Task& task, std::vector<Task>& into);
+  void work_rings(const std::vector<const HeadlandPass*>& order);
+  void work_ring(std::vector<const HeadlandPass*> passes);
+  [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
+
+  Driver& driver_;
+  const Layout& layout_;
+  std::vector<Task> put_off_;
+  std::map<std::string, int> parts_of_;  // how many parts an open pass was split into
+};
+
+}  // namespace selion
