@@ -63,6 +63,19 @@ std::size_t FreeSpace::index(int column, int row) const {
          static_cast<std::size_t>(column);
 }
 
+void FreeSpace::mark_crossing(std::uint32_t edge, const Cells& cells) {
+  for (int row = cells.bottom; row <= cells.top; ++row)
+    for (int column = cells.left; column <= cells.right; ++column) {
+      auto& list = crossing_[index(column, row)];
+      if (list.empty() || list.back() != edge) list.push_back(edge);
+    }
+}
+
+void FreeSpace::mark_near(const Cells& cells) {
+  for (int row = cells.bottom; row <= cells.top; ++row)
+    for (int column = cells.left; column <= cells.right; ++column) near_[index(column, row)] = true;
+}
+
 /// Walks along the edge in steps of a cell, so that a long slanted edge does not fill its whole box.
 void FreeSpace::add(std::uint32_t edge, double reach_m) {
   const auto [a, b] = edges_[edge];
@@ -70,15 +83,8 @@ void FreeSpace::add(std::uint32_t edge, double reach_m) {
   for (int i = 0; i < steps; ++i) {
     const Point from = a + (static_cast<double>(i) / steps) * (b - a);
     const Point to = a + (static_cast<double>(i + 1) / steps) * (b - a);
-    const Cells own = cells_of(box_of(from, to));
-    for (int row = own.bottom; row <= own.top; ++row)
-      for (int column = own.left; column <= own.right; ++column) {
-        auto& list = crossing_[index(column, row)];
-        if (list.empty() || list.back() != edge) list.push_back(edge);
-      }
-    const Cells close = cells_of(grown(box_of(from, to), reach_m));
-    for (int row = close.bottom; row <= close.top; ++row)
-      for (int column = close.left; column <= close.right; ++column) near_[index(column, row)] = true;
+    mark_crossing(edge, cells_of(box_of(from, to)));
+    mark_near(cells_of(grown(box_of(from, to), reach_m)));
   }
 }
 

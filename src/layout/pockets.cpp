@@ -82,6 +82,20 @@ std::vector<Find> finds_under(const Polygon& part, Point a, Point b, double widt
   return merged;
 }
 
+bool worth_a_pass(const Find& find, double width_m) {
+  const double length = find.along.high_m - find.along.low_m;
+  return find.area_m2 >= kPassWorth * width_m * std::max(width_m, length / 2) && length >= kSliver_m;
+}
+
+/// The runs that can be driven of a-b, which lies along `axis`.
+std::vector<Swath> runs_of(const Ground& ground, Point a, Point b, Point axis) {
+  std::vector<Swath> runs;
+  for (const Span1& run : drivable_spans(ground, a, b))
+    if (run.to_m - run.from_m > kSliver_m)
+      runs.push_back({"", 0, a + run.from_m * axis, a + run.to_m * axis});
+  return runs;
+}
+
 /// Straight strips over one part, spread evenly across it, each as long as what it finds there.
 std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
   const double width = ground.machine.working_width_m;
@@ -98,12 +112,10 @@ std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
     const Point origin = c * side;
     for (const Find& find :
          finds_under(part, along.low_m * axis + origin, along.high_m * axis + origin, width)) {
-      const double length = find.along.high_m - find.along.low_m;
-      if (find.area_m2 < kPassWorth * width * std::max(width, length / 2) || length < kSliver_m) continue;
-      const Point a = find.along.low_m * axis + origin;
-      for (const Span1& run : drivable_spans(ground, a, find.along.high_m * axis + origin))
-        if (run.to_m - run.from_m > kSliver_m)
-          pieces.push_back({"", 0, a + run.from_m * axis, a + run.to_m * axis});
+      if (!worth_a_pass(find, width)) continue;
+      const auto runs =
+          runs_of(ground, find.along.low_m * axis + origin, find.along.high_m * axis + origin, axis);
+      pieces.insert(pieces.end(), runs.begin(), runs.end());
     }
   }
   return pieces;
@@ -143,20 +155,27 @@ std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
   return Swath{"", 0, way.from + fit.low_m * axis, way.from + fit.high_m * axis};
 }
 
+/// One round of pieces into the unworked ground.
+std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
+  const double width = ground.machine.working_width_m;
+  std::vector<Swath> pieces;
+  for (const Polygon& part : outset_round(inset_round(left, kSliver_m), kSliver_m)) {
+    if (area_m2(part) < kPassWorth * width * width) continue;
+    for (const Swath& piece : pieces_over(ground, part))
+      if (auto fit = fitted(ground, piece)) pieces.push_back(*fit);
+  }
+  return pieces;
+}
+
 }  // namespace
 
 std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout) {
-  const double width = ground.machine.working_width_m;
   std::vector<Swath> pockets;
   for (int round = 0; round < kRounds; ++round) {
     const Polygons left = subtract(ground.workable, covered_by(ground, layout, pockets));
-    const std::size_t before = pockets.size();
-    for (const Polygon& part : outset_round(inset_round(left, kSliver_m), kSliver_m)) {
-      if (area_m2(part) < kPassWorth * width * width) continue;
-      for (const Swath& piece : pieces_over(ground, part))
-        if (auto fit = fitted(ground, piece)) pockets.push_back(*fit);
-    }
-    if (pockets.size() == before) break;
+    const std::vector<Swath> more = pieces_into(ground, left);
+    if (more.empty()) break;
+    pockets.insert(pockets.end(), more.begin(), more.end());
   }
   for (std::size_t k = 0; k < pockets.size(); ++k) pockets[k].id = "P" + std::to_string(k + 1);
   return pockets;

@@ -81,6 +81,7 @@ class CornerLine {
   void measure_all();
   void drop(std::size_t i) { vertices_.erase(vertices_.begin() + static_cast<std::ptrdiff_t>(i)); }
   void relieve(std::size_t i);
+  [[nodiscard]] std::optional<std::size_t> tightest_edge() const;
   bool merge(std::size_t i);
   [[nodiscard]] Path corner_path(std::size_t i) const;
   [[nodiscard]] Path edge_path(std::size_t i) const;
@@ -126,33 +127,36 @@ bool CornerLine::merge(std::size_t i) {
 
 /// Edge i is too short for the corners at its ends. A left turn may be left out, for that leads inwards.
 void CornerLine::relieve(std::size_t i) {
-  if (merge(i)) return;
   const std::size_t j = next(i);
+  const bool i_too_sharp = std::isinf(vertices_[i].tangent_m);
+  if (!i_too_sharp && std::isinf(vertices_[j].tangent_m)) return drop(j);
+  if (i_too_sharp || length_m(edge(i)) < kShortestEdge_m) return drop(i);
+  if (merge(i)) return;
   const bool i_left = vertices_[i].turn_rad > 0;
   const bool j_left = vertices_[j].turn_rad > 0;
   if (i_left != j_left) return drop(i_left ? i : j);
   drop(std::abs(vertices_[i].turn_rad) < std::abs(vertices_[j].turn_rad) ? i : j);
 }
 
+/// The edge that lacks the most room, if any does.
+std::optional<std::size_t> CornerLine::tightest_edge() const {
+  std::optional<std::size_t> tightest;
+  double least_m = 0;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const double room = length_m(edge(i)) < kShortestEdge_m ? -std::numeric_limits<double>::max() : room_m(i);
+    if (room >= least_m) continue;
+    least_m = room;
+    tightest = i;
+  }
+  return tightest;
+}
+
 bool CornerLine::make_room() {
   measure_all();
   while (vertices_.size() >= 3) {
-    std::size_t worst = vertices_.size();
-    double least_m = 0;
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      const double room =
-          length_m(edge(i)) < kShortestEdge_m ? -std::numeric_limits<double>::max() : room_m(i);
-      if (room < least_m) least_m = room, worst = i;
-    }
-    if (worst == vertices_.size()) return true;
-    if (std::isinf(vertices_[worst].tangent_m))
-      drop(worst);
-    else if (std::isinf(vertices_[next(worst)].tangent_m))
-      drop(next(worst));
-    else if (length_m(edge(worst)) < kShortestEdge_m)
-      drop(worst);
-    else
-      relieve(worst);
+    const auto tightest = tightest_edge();
+    if (!tightest) return true;
+    relieve(*tightest);
     measure_all();
   }
   return false;

@@ -59,6 +59,7 @@ std::vector<Strip> strips_to_fit(Extent across, double width_m, double spacing_m
   if (span <= width_m + kSame_m) return {{1, (across.low_m + across.high_m) / 2}};
   const int count = static_cast<int>(std::ceil((span - width_m - kSame_m) / spacing_m)) + 1;
   std::vector<Strip> strips;
+  strips.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     strips.push_back(
         {k + 1, std::min(across.low_m + width_m / 2 + k * spacing_m, across.high_m - width_m / 2)});
@@ -154,6 +155,23 @@ std::vector<Span1> drivable_spans(const Ground& ground, Point a, Point b) {
 
 namespace {
 
+/// What the machine can drive of the strip's parts, cut where something is in the way.
+std::vector<Swath> pieces_on(const Ground& ground, const Axes& axes, const Strip& row,
+                             const std::vector<Extent>& parts) {
+  std::vector<Swath> pieces;
+  for (const Extent& part : parts) {
+    const Point a = axes.at(part.low_m, row.c_m);
+    const Point b = axes.at(part.high_m, row.c_m);
+    for (const Span1& span : drivable_spans(ground, a, b))
+      if (auto piece =
+              trimmed(ground, {"", row.number, a + span.from_m * axes.along, a + span.to_m * axes.along}))
+        pieces.push_back(*piece);
+  }
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    pieces[k].id = strip_name(row.number) + (pieces.size() > 1 ? letters(k) : "");
+  return pieces;
+}
+
 std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
                                 double heading) {
   const double width = ground.machine.working_width_m;
@@ -167,17 +185,7 @@ std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, 
           : strips_to_fit(across, width, spacing);
   std::vector<Swath> swaths;
   for (const Strip& row : strips) {
-    std::vector<Swath> pieces;
-    for (const Extent& part : wanted(mainland, axes, row.c_m, along, width)) {
-      const Point a = axes.at(part.low_m, row.c_m);
-      const Point b = axes.at(part.high_m, row.c_m);
-      for (const Span1& span : drivable_spans(ground, a, b))
-        if (auto piece =
-                trimmed(ground, {"", row.number, a + span.from_m * axes.along, a + span.to_m * axes.along}))
-          pieces.push_back(*piece);
-    }
-    for (std::size_t k = 0; k < pieces.size(); ++k)
-      pieces[k].id = strip_name(row.number) + (pieces.size() > 1 ? letters(k) : "");
+    const auto pieces = pieces_on(ground, axes, row, wanted(mainland, axes, row.c_m, along, width));
     swaths.insert(swaths.end(), pieces.begin(), pieces.end());
   }
   return swaths;

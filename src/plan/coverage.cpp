@@ -51,7 +51,9 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
   const Footprint footprint = footprint_of(machine);
   std::set<std::string> pocket_ids;
   for (const Swath& pocket : layout.pockets) pocket_ids.insert(pocket.id);
-  Tally headland_tally, swath_tally, pocket_tally;
+  Tally headland_tally;
+  Tally swath_tally;
+  Tally pocket_tally;
   for (const RoutePiece& piece : route.pieces) {
     if (piece.kind == PieceKind::headland_pass)
       headland_tally.add(swept_by(footprint, piece.path));

@@ -84,6 +84,51 @@ std::vector<double> seconds_of(std::size_t legs, const std::vector<Sample>& samp
   return spent;
 }
 
+void report_coverage(BlockReport& report, const Coverage& coverage, const LocalFrame& frame) {
+  report.covered_m2 = coverage.covered_m2;
+  report.twice = coverage.twice;
+  for (const Polygon& part : coverage.uncovered)
+    report.uncovered.push_back({to_lonlat(frame, part), frame.to_lonlat(place_in(part)), area_m2(part)});
+}
+
+void report_layout(BlockReport& report, const Layout& layout, const LocalFrame& frame) {
+  report.bearing_deg = true_bearing_deg(frame, layout.ab.a, heading_rad(layout.ab.b - layout.ab.a));
+  report.headland_depth_m = layout.headland_depth_m;
+  report.turn_depth_m = layout.turn_depth_m;
+  report.headland_passes = layout.passes;
+  std::set<int> strips;
+  for (const Swath& swath : layout.swaths) strips.insert(swath.strip);
+  report.swaths = static_cast<int>(strips.size());
+}
+
+void count_pieces(BlockReport& report, const Route& route) {
+  for (const RoutePiece& piece : route.pieces) {
+    if (piece.kind == PieceKind::swath) ++report.pieces;
+    if (piece.kind == PieceKind::turn) ++report.turns;
+    if (piece.kind == PieceKind::transfer) ++report.transfers;
+  }
+}
+
+void add_leg(double& sum_m, double& sum_s, double length_m, double spent_s) {
+  sum_m += length_m;
+  sum_s += spent_s;
+}
+
+void report_drive(BlockReport& report, const Drive& drive) {
+  const std::vector<double> spent_s = seconds_of(drive.pieces.size(), drive.samples);
+  for (std::size_t i = 0; i < drive.pieces.size(); ++i) {
+    const DrivePiece& piece = drive.pieces[i];
+    const double length = piece.leg.stretch.curve.length_m;
+    if (piece.leg.tool_down)
+      add_leg(report.work_m, report.work_s, length, spent_s[i]);
+    else if (piece.kind == "turn" || piece.kind == "wait")
+      add_leg(report.turn_m, report.turn_s, length, spent_s[i]);
+    else
+      add_leg(report.transfer_m, report.transfer_s, length, spent_s[i]);
+    if (piece.leg.stretch.gear == Gear::reverse) report.reverse_m += length;
+  }
+}
+
 }  // namespace
 
 Plan described(const Field& field, const Job& job, const LocalFrame& frame, const Blocks& cleaned) {
@@ -131,38 +176,15 @@ BlockReport refused(const Block& block, const Infeasible& why) {
   return report;
 }
 
-BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
-                      const std::vector<Sample>& samples, const LocalFrame& frame, const Job& job) {
-  const Layout& layout = planned.layout;
-  const Coverage coverage = coverage_of(planned.block, layout, planned.route, job.machine);
+BlockReport report_of(const PlannedBlock& planned, const Drive& drive, const LocalFrame& frame,
+                      const Job& job) {
   BlockReport report;
   report.number = planned.block.number;
   report.area_m2 = area_m2(planned.block.area);
-  report.covered_m2 = coverage.covered_m2;
-  report.twice = coverage.twice;
-  for (const Polygon& part : coverage.uncovered)
-    report.uncovered.push_back({to_lonlat(frame, part), frame.to_lonlat(place_in(part)), area_m2(part)});
-  report.bearing_deg = true_bearing_deg(frame, layout.ab.a, heading_rad(layout.ab.b - layout.ab.a));
-  report.headland_depth_m = layout.headland_depth_m;
-  report.turn_depth_m = layout.turn_depth_m;
-  report.headland_passes = layout.passes;
-  std::set<int> strips;
-  for (const Swath& swath : layout.swaths) strips.insert(swath.strip);
-  report.swaths = static_cast<int>(strips.size());
-  for (const RoutePiece& piece : planned.route.pieces) {
-    if (piece.kind == PieceKind::swath) ++report.pieces;
-    if (piece.kind == PieceKind::turn) ++report.turns;
-    if (piece.kind == PieceKind::transfer) ++report.transfers;
-  }
-  const std::vector<double> spent = seconds_of(pieces.size(), samples);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const DrivePiece& piece = pieces[i];
-    const double length = piece.leg.stretch.curve.length_m;
-    const bool turn = piece.kind == "turn" || piece.kind == "wait";
-    (piece.leg.tool_down ? report.work_m : turn ? report.turn_m : report.transfer_m) += length;
-    (piece.leg.tool_down ? report.work_s : turn ? report.turn_s : report.transfer_s) += spent[i];
-    if (piece.leg.stretch.gear == Gear::reverse) report.reverse_m += length;
-  }
+  report_coverage(report, coverage_of(planned.block, planned.layout, planned.route, job.machine), frame);
+  report_layout(report, planned.layout, frame);
+  count_pieces(report, planned.route);
+  report_drive(report, drive);
   return report;
 }
 
@@ -170,12 +192,13 @@ std::vector<std::string> notes_of(const PlannedBlock& planned) {
   std::vector<std::string> notes = planned.layout.notes;
   notes.insert(notes.end(), planned.route.notes.begin(), planned.route.notes.end());
   if (planned.block.gates.empty())
-    notes.push_back(
+    notes.emplace_back(
         "No gate was given: the drive starts at the first swath and ends where the work is done.");
   std::string ids;
   for (const std::string& id : planned.route.left_out) ids += (ids.empty() ? "" : ", ") + id;
   if (!ids.empty()) notes.push_back("Left out, for the machine finds no way there and back: " + ids + ".");
-  for (std::string& note : notes) note = "Block " + std::to_string(planned.block.number) + ": " + note;
+  const std::string where = "Block " + std::to_string(planned.block.number) + ": ";
+  for (std::string& note : notes) note.insert(0, where);
   return notes;
 }
 

@@ -14,8 +14,8 @@ namespace selion {
 /// yet.
 Plan described(const Field& field, const Job& job, const LocalFrame& frame, const Blocks& cleaned);
 
-BlockReport report_of(const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
-                      const std::vector<Sample>& samples, const LocalFrame& frame, const Job& job);
+BlockReport report_of(const PlannedBlock& planned, const Drive& drive, const LocalFrame& frame,
+                      const Job& job);
 BlockReport refused(const Block& block, const Infeasible& why);
 std::vector<std::string> notes_of(const PlannedBlock& planned);
 /// "block 2: " where there are several, else nothing.

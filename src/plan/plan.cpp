@@ -109,12 +109,9 @@ Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, con
 }
 
 void add_block(Plan& plan, const PlannedBlock& planned, const LocalFrame& frame, const Job& job) {
-  const std::vector<DrivePiece> pieces = drive_pieces(planned.route, job.machine);
-  std::vector<Leg> legs;
-  for (const DrivePiece& piece : pieces) legs.push_back(piece.leg);
-  const std::vector<Sample> samples = drive(legs, job.machine);
-  add_records(plan.file, planned, pieces, samples, frame, job.machine);
-  plan.blocks.push_back(report_of(planned, pieces, samples, frame, job));
+  const Drive drive = drive_of(planned.route, job.machine);
+  add_records(plan.file, planned, drive, frame, job.machine);
+  plan.blocks.push_back(report_of(planned, drive, frame, job));
   for (const std::string& note : notes_of(planned)) plan.notes.push_back(note);
 }
 

@@ -61,17 +61,16 @@ PieceRecord record_of(const DrivePiece& piece) {
   return record;
 }
 
-TrajectoryRecord trajectory_of(int block, const std::vector<DrivePiece>& pieces,
-                               const std::vector<Sample>& samples, const LocalFrame& frame,
+TrajectoryRecord trajectory_of(int block, const Drive& drive, const LocalFrame& frame,
                                const Machine& machine) {
   TrajectoryRecord record;
   record.block = block;
   record.working_width_m = machine.working_width_m;
-  for (const DrivePiece& piece : pieces) {
+  for (const DrivePiece& piece : drive.pieces) {
     record.pieces.push_back(record_of(piece));
     record.length_m += piece.leg.stretch.curve.length_m;
   }
-  for (const Sample& sample : samples) {
+  for (const Sample& sample : drive.samples) {
     record.line.push_back(frame.to_lonlat(sample.at));
     record.t_s.push_back(sample.t_s);
     record.heading_rad.push_back(sample.heading_rad);
@@ -79,7 +78,7 @@ TrajectoryRecord trajectory_of(int block, const std::vector<DrivePiece>& pieces,
     record.speed_mps.push_back(sample.speed_mps);
     record.tool.push_back(sample.tool_down ? 1 : 0);
   }
-  record.duration_s = samples.empty() ? 0 : samples.back().t_s;
+  record.duration_s = drive.samples.empty() ? 0 : drive.samples.back().t_s;
   return record;
 }
 
@@ -118,20 +117,6 @@ void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame&
   }
 }
 
-}  // namespace
-
-LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area) {
-  LonLatArea out{to_lonlat(frame, area.shell), {}};
-  for (const Ring& hole : area.holes) out.holes.push_back(to_lonlat(frame, hole));
-  return out;
-}
-
-double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad) {
-  const double bearing =
-      std::fmod(Heading::radians(heading_rad).bearing_deg() + frame.convergence_deg(p) + 360, 360);
-  return bearing >= 359.99999 ? 0 : bearing;  // what rounding leaves of north
-}
-
 std::vector<DrivePiece> drive_pieces(const Route& route, const Machine& machine) {
   std::vector<DrivePiece> pieces;
   for (const RoutePiece& piece : route.pieces) {
@@ -147,8 +132,30 @@ std::vector<DrivePiece> drive_pieces(const Route& route, const Machine& machine)
   return pieces;
 }
 
-void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
-                 const std::vector<Sample>& samples, const LocalFrame& frame, const Machine& machine) {
+}  // namespace
+
+LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area) {
+  LonLatArea out{to_lonlat(frame, area.shell), {}};
+  for (const Ring& hole : area.holes) out.holes.push_back(to_lonlat(frame, hole));
+  return out;
+}
+
+double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad) {
+  const double bearing =
+      std::fmod(Heading::radians(heading_rad).bearing_deg() + frame.convergence_deg(p) + 360, 360);
+  return bearing >= 359.99999 ? 0 : bearing;  // what rounding leaves of north
+}
+
+Drive drive_of(const Route& route, const Machine& machine) {
+  std::vector<DrivePiece> pieces = drive_pieces(route, machine);
+  std::vector<Leg> legs;
+  legs.reserve(pieces.size());
+  for (const DrivePiece& piece : pieces) legs.push_back(piece.leg);
+  return {std::move(pieces), drive(legs, machine)};
+}
+
+void add_records(PlanFile& file, const PlannedBlock& planned, const Drive& drive, const LocalFrame& frame,
+                 const Machine& machine) {
   const Block& block = planned.block;
   for (const Polygon& obstacle : block.obstacles)
     file.obstacles.push_back({block.number, to_lonlat(frame, obstacle), "", "obstacle"});
@@ -162,7 +169,7 @@ void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<
   file.ab_lines.push_back({block.number, frame.to_lonlat(ab.a), frame.to_lonlat(ab.b), bearing});
   add_headland(file, planned, frame, machine);
   add_swaths(file, planned, frame, machine);
-  file.trajectories.push_back(trajectory_of(block.number, pieces, samples, frame, machine));
+  file.trajectories.push_back(trajectory_of(block.number, drive, frame, machine));
 }
 
 }  // namespace selion

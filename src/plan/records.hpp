@@ -27,13 +27,19 @@ struct DrivePiece {
   std::string kind;
   std::string ref;
 };
-std::vector<DrivePiece> drive_pieces(const Route& route, const Machine& machine);
+
+/// A route timed: its legs in order, and where the machine is when.
+struct Drive {
+  std::vector<DrivePiece> pieces;
+  std::vector<Sample> samples;
+};
+Drive drive_of(const Route& route, const Machine& machine);
 
 LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area);
 
 /// Adds all records of the block to the file.
-void add_records(PlanFile& file, const PlannedBlock& planned, const std::vector<DrivePiece>& pieces,
-                 const std::vector<Sample>& samples, const LocalFrame& frame, const Machine& machine);
+void add_records(PlanFile& file, const PlannedBlock& planned, const Drive& drive, const LocalFrame& frame,
+                 const Machine& machine);
 
 /// True bearing of a direction of the local frame at p, degrees.
 double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad);

@@ -32,6 +32,8 @@ class FreeSpace {
   };
   [[nodiscard]] Cells cells_of(Box box) const;
   [[nodiscard]] std::size_t index(int column, int row) const;
+  void mark_crossing(std::uint32_t edge, const Cells& cells);
+  void mark_near(const Cells& cells);
   void add(std::uint32_t edge, double reach_m);
 
   Polygon area_;
