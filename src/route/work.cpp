@@ -49,11 +49,11 @@ void Work::swaths(const Progress& progress) {
     Chain chain = std::move(chains[entry.chain]);
     chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(entry.chain));
     if (entry.at_last) std::reverse(chain.begin(), chain.end());
-    work_chain(std::move(chain), entry.sense);
+    work_chain(chain, entry.sense);
   }
 }
 
-void Work::work_chain(Chain chain, Sense sense) {
+void Work::work_chain(const Chain& chain, Sense sense) {
   int failed = 0;
   for (const Swath* swath : chain) {
     Task task = swath_task(driver_.terrain(), driver_.machine(), *swath, sense);

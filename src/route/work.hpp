@@ -38,7 +38,7 @@ class Work {
   };
 
   [[nodiscard]] Entry nearest_entry(const std::vector<Chain>& chains) const;
-  void work_chain(Chain chain, Sense sense);
+  void work_chain(const Chain& chain, Sense sense);
   [[nodiscard]] double nearness_m(const Task& task) const;
   void work_nearest(std::vector<Task> tasks);
   bool split(const Task& task, std::vector<Task>& into);
