@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <proj.h>
+
+namespace selion {
+namespace {
+
+constexpr double kInside_m = 0.01;
+
+struct State {
+  Point at;
+  double heading_rad;
+  double curvature_per_m;
+};
+
+/// Simpson's rule over steps of a decimetre: nothing is shared with the planner's curves.
+State state_of(const PieceRecord& piece, double s_m) {
+  const auto angle = [&](double s) {
+    return piece.heading_rad + piece.curvature_per_m * s + piece.sharpness_per_m2 * s * s / 2;
+  };
+  Point at{piece.x_m, piece.y_m};
+  const bool straight = piece.curvature_per_m == 0 && piece.sharpness_per_m2 == 0;
+  const int steps = straight ? 1 : std::max(1, static_cast<int>(std::ceil(s_m / 0.1)));
+  const double h = s_m / steps;
+  for (int i = 0; i < steps; ++i) {
+    const double a = angle(i * h), m = angle((i + 0.5) * h), b = angle((i + 1) * h);
+    at.x_m += h / 6 * (std::cos(a) + 4 * std::cos(m) + std::cos(b));
+    at.y_m += h / 6 * (std::sin(a) + 4 * std::sin(m) + std::sin(b));
+  }
+  return {at, angle(s_m), piece.curvature_per_m + piece.sharpness_per_m2 * s_m};
+}
+
+class Projection {
+ public:
+  explicit Projection(const std::string& proj)
+      : transform_{
+            proj_create_crs_to_crs(PJ_DEFAULT_CTX, "OGC:CRS84", (proj + " +type=crs").c_str(), nullptr),
+            proj_destroy} {}
+  [[nodiscard]] Point operator()(LonLat p) const {
+    const PJ_COORD out = proj_trans(transform_.get(), PJ_FWD, proj_coord(p.lon_deg, p.lat_deg, 0, 0));
+    return {out.xy.x, out.xy.y};
+  }
+
+ private:
+  std::unique_ptr<PJ, PJ* (*)(PJ*)> transform_;
+};
+
+struct Area {
+  std::vector<std::vector<Point>> rings;
+
+  [[nodiscard]] bool holds(Point p) const {
+    bool inside = false;
+    for (const auto& ring : rings)
+      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+        if ((ring[i].y_m > p.y_m) != (ring[j].y_m > p.y_m) &&
+            p.x_m < (ring[j].x_m - ring[i].x_m) * (p.y_m - ring[i].y_m) / (ring[j].y_m - ring[i].y_m) +
+                        ring[i].x_m)
+          inside = !inside;
+    return inside;
+  }
+  [[nodiscard]] double to_border_m(Point p) const {
+    double least = 1e9;
+    for (const auto& ring : rings)
+      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        const Point along = ring[i] - ring[j];
+        const double square = dot(along, along);
+        const double t = square > 0 ? std::clamp(dot(p - ring[j], along) / square, 0.0, 1.0) : 0.0;
+        least = std::min(least, distance_m(p, ring[j] + t * along));
+      }
+    return least;
+  }
+  [[nodiscard]] bool holds_nearly(Point p) const { return holds(p) || to_border_m(p) <= kInside_m; }
+};
+
+std::string place(const TrajectoryRecord& t, std::size_t piece) {
+  return "block " + std::to_string(t.block) + " piece " + std::to_string(piece) + " (" +
+         t.pieces[piece].kind + " " + t.pieces[piece].ref + "): ";
+}
+
+class Check {
+ public:
+  Check(const Plan& plan, const Machine& machine) : plan_{plan}, machine_{machine} {
+    const Projection projection{plan.file.proj};
+    for (const LonLatArea& part : plan.file.fields.at(0).parts) {
+      Area area;
+      const auto add = [&](const LonLatLine& line) {
+        area.rings.emplace_back();
+        for (const LonLat p : line) area.rings.back().push_back(projection(p));
+      };
+      add(part.shell);
+      for (const LonLatLine& hole : part.holes) add(hole);
+      areas_.push_back(std::move(area));
+    }
+  }
+
+  std::vector<std::string> run() {
+    for (const TrajectoryRecord& t : plan_.file.trajectories) {
+      joints(t);
+      limits(t);
+      inside(t);
+      times(t);
+      samples(t);
+    }
+    once();
+    return std::move(faults_);
+  }
+
+ private:
+  void say(const std::string& text) {
+    if (faults_.size() < 20) faults_.push_back(text);
+  }
+
+  void joints(const TrajectoryRecord& t) {
+    for (std::size_t i = 1; i < t.pieces.size(); ++i) {
+      const PieceRecord& a = t.pieces[i - 1];
+      const PieceRecord& b = t.pieces[i];
+      const State end = state_of(a, a.length_m);
+      if (distance_m(end.at, {b.x_m, b.y_m}) > 1e-6)
+        say(place(t, i) + "starts off the end of the one before");
+      const double turn = end.heading_rad - b.heading_rad + (a.gear == b.gear ? 0 : std::acos(-1.0));
+      if (std::abs(std::remainder(turn, 2 * std::acos(-1.0))) > 1e-6) say(place(t, i) + "heading jumps");
+      const bool rest = a.gear != b.gear || a.kind == "wait" || b.kind == "wait";
+      if (!rest && std::abs(end.curvature_per_m - b.curvature_per_m) > 1e-6)
+        say(place(t, i) + "curvature jumps");
+    }
+  }
+
+  void limits(const TrajectoryRecord& t) {
+    const double most = max_curvature_per_m(machine_) * (1 + 1e-6);
+    for (std::size_t i = 0; i < t.pieces.size(); ++i) {
+      const PieceRecord& p = t.pieces[i];
+      if (std::abs(p.curvature_per_m) > most || std::abs(state_of(p, p.length_m).curvature_per_m) > most)
+        say(place(t, i) + "too tight");
+      if (std::abs(p.sharpness_per_m2) > max_sharpness_per_m2(machine_, machine_.turn_speed_mps) * (1 + 1e-6))
+        say(place(t, i) + "too sharp");
+    }
+  }
+
+  /// Body corners and tool ends every 0.2 m on curves and 2 m on lines, by the block's own area.
+  void inside(const TrajectoryRecord& t) {
+    const Area& area = areas_.at(static_cast<std::size_t>(t.block) - 1);
+    for (std::size_t i = 0; i < t.pieces.size(); ++i) {
+      const PieceRecord& p = t.pieces[i];
+      const double step = p.curvature_per_m == 0 && p.sharpness_per_m2 == 0 ? 2.0 : 0.2;
+      const int steps = std::max(1, static_cast<int>(std::ceil(p.length_m / step)));
+      for (int k = 0; k <= steps; ++k) {
+        const State s = state_of(p, p.length_m * k / steps);
+        const Pose pose{s.at, s.heading_rad + (p.gear > 0 ? 0 : std::acos(-1.0))};
+        if (!area.holds(s.at)) return say(place(t, i) + "the path leaves the field");
+        if (std::any_of(corners_.begin(), corners_.end(),
+                        [&](Point c) { return !area.holds_nearly(placed(pose, c)); }))
+          return say(place(t, i) + "body or tool leaves the field at " + std::to_string(s.at.x_m) + ", " +
+                     std::to_string(s.at.y_m));
+      }
+    }
+  }
+
+  void times(const TrajectoryRecord& t) {
+    for (std::size_t i = 1; i < t.t_s.size(); ++i)
+      if (t.t_s[i] <= t.t_s[i - 1]) return say("time stands still at sample " + std::to_string(i));
+  }
+
+  /// A sample stands at the end of every piece, in order.
+  void samples(const TrajectoryRecord& t) {
+    const Projection projection{plan_.file.proj};
+    std::size_t piece = 0;
+    const auto ends_at = [&](Point at) {
+      const State end = state_of(t.pieces[piece], t.pieces[piece].length_m);
+      return distance_m(end.at, at) < 2e-3;
+    };
+    for (std::size_t i = 0; i < t.line.size(); ++i) {
+      const Point at = projection(t.line[i]);
+      while (piece + 1 < t.pieces.size() && ends_at(at)) ++piece;  // pieces below 2 mm share a sample here
+    }
+    if (piece + 1 != t.pieces.size())
+      say("the samples pass only " + std::to_string(piece + 1) + " of " + std::to_string(t.pieces.size()) +
+          " pieces");
+  }
+
+  void once() {
+    std::map<std::pair<int, std::string>, int> driven;
+    for (const TrajectoryRecord& t : plan_.file.trajectories) {
+      std::string last;
+      for (const PieceRecord& p : t.pieces) {
+        if (!p.ref.empty() && p.ref != last) ++driven[{t.block, p.ref}];
+        if (p.kind == "wait") continue;
+        last = p.ref;
+        if ((p.tool == 1) != (p.kind == "swath" || p.kind == "headland_pass"))
+          say("the tool is down in a " + p.kind);
+        if (p.tool == 1 && p.gear < 0) say("the tool is down in reverse");
+      }
+    }
+    for (const SwathRecord& swath : plan_.file.swaths)
+      if (driven[{swath.block, swath.id}] != 1)
+        say("swath " + swath.id + " is driven " + std::to_string(driven[{swath.block, swath.id}]) + " times");
+  }
+
+  const Plan& plan_;
+  const Machine& machine_;
+  std::vector<Area> areas_;
+  std::vector<std::string> faults_;
+  std::vector<Point> corners_{
+      {machine_.front_m, machine_.body_width_m / 2},     {machine_.front_m, -machine_.body_width_m / 2},
+      {-machine_.rear_m, machine_.body_width_m / 2},     {-machine_.rear_m, -machine_.body_width_m / 2},
+      {machine_.tool_x_m, machine_.working_width_m / 2}, {machine_.tool_x_m, -machine_.working_width_m / 2}};
+};
+
+}  // namespace
+
+std::vector<std::string> faults_of(const Plan& plan, const Machine& machine) {
+  return Check{plan, machine}.run();
+}
+
+}  // namespace selion

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <filesystem>
+#include <sstream>
+
+#include "plan_check.hpp"
+#include "selion/field/read.hpp"
+#include "selion/plan/job_file.hpp"
+#include "selion/plan/plan.hpp"
+
+using namespace selion;
+
+namespace {
+
+Field read_one(const std::filesystem::path& file) {
+  std::istringstream nothing;
+  return read_fields(file, {}, nothing).at(0);
+}
+
+Field sample(const std::string& name) {
+  return read_one(std::filesystem::path{SELION_DATA_DIR} / "fields" / name);
+}
+
+Job job_of_toml(const std::string& text) { return job_of(settings_of_toml(text, "test")); }
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string out;
+  for (const std::string& line : lines) out += line + "\n";
+  return out;
+}
+
+double covered(const Plan& plan) {
+  double sum = 0;
+  for (const BlockReport& block : plan.blocks) sum += block.covered_m2;
+  return sum;
+}
+
+double area(const Plan& plan) {
+  double sum = 0;
+  for (const BlockReport& block : plan.blocks) sum += block.area_m2;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the paper's fields are covered to 99 % with little worked twice", "[plan]") {
+  const auto name =
+      GENERATE("f1.geojson", "f2.geojson", "f3.geojson", "f4.geojson", "f5.geojson", "f6.geojson");
+  CAPTURE(name);
+  const Job job = job_of_toml("[machine]\npreset = \"p3\"\nworking_width_m = 4\nmax_steer_deg = 18\n");
+
+  const auto planned = plan(sample(name), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(block.covered_m2 >= 0.99 * block.area_m2);
+  CHECK(block.twice.total_m2() <= 0.06 * block.area_m2);
+  CHECK(joined(faults_of(*planned, job.machine)) == "");
+  double uncovered = 0;
+  for (const Uncovered& part : block.uncovered) uncovered += part.area_m2;
+  CHECK(uncovered == Approx(block.area_m2 - block.covered_m2).margin(0.002 * block.area_m2));
+}
+
+TEST_CASE("every preset drives every field of our own without a fault", "[plan]") {
+  const auto name =
+      GENERATE("l_shape.geojson", "u_shape.geojson", "with_pond.geojson", "slanted.geojson",
+               "gates_obstacles.geojson", "two_parts.geojson", "pole.geojson", "narrow_neck.geojson");
+  const auto preset = GENERATE("robot-3m", "amiga", "tractor-6m");
+  CAPTURE(name, preset);
+  const Job job = job_of_toml(std::string{"[machine]\npreset = \""} + preset + "\"\n");
+
+  const auto planned = plan(sample(name), job, Repair::notes_only, no_progress);
+
+  if (!planned) {
+    CHECK(planned.error().reason.find(" m") != std::string::npos);
+    return;
+  }
+  CHECK(joined(faults_of(*planned, job.machine)) == "");
+}
+
+TEST_CASE("a machine that may not reverse never does", "[plan]") {
+  const Job job = job_of_toml("[machine]\npreset = \"robot-3m\"\nmay_reverse = false\n");
+  const auto planned = plan(sample("l_shape.geojson"), job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  for (const TrajectoryRecord& t : planned->file.trajectories)
+    for (const PieceRecord& piece : t.pieces) CHECK(piece.gear == 1);
+}
+
+TEST_CASE("an AB line fixes heading and phase", "[plan]") {
+  const Field field = sample("f2.geojson");
+  const LonLat at = field.parts.at(0).shell.at(0);
+  std::ostringstream toml;
+  toml.precision(12);
+  toml << "[layout]\nab = [" << at.lon_deg << ", " << at.lat_deg << ", " << at.lon_deg << ", "
+       << at.lat_deg + 0.001 << "]\n";
+  const auto planned = plan(field, job_of_toml(toml.str()), Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(planned->blocks.at(0).bearing_deg == Approx(0).margin(1e-4));
+  for (const SwathRecord& swath : planned->file.swaths) {
+    if (swath.cell.empty()) continue;  // pocket pieces follow their own direction
+    const double east_m =
+        (swath.line.at(0).lon_deg - at.lon_deg) * 111320 * std::cos(at.lat_deg * 0.0174532925199);
+    const double passes = east_m / swath.width_m;
+    CHECK(std::abs(passes - std::round(passes)) * swath.width_m < 0.5);
+  }
+}
+
+TEST_CASE("a field too narrow for its headlands is refused by width", "[plan]") {
+  const Job job = job_of_toml("[machine]\npreset = \"tractor-12m\"\n");
+  const auto planned = plan(sample("narrow_neck.geojson"), job, Repair::notes_only, no_progress);
+  if (planned.has_value()) return;
+  CHECK(planned.error().reason.find("wide at its widest place") != std::string::npos);
+}
+
+TEST_CASE("the same field and job give the same bytes", "[plan]") {
+  const auto once = plan(sample("with_pond.geojson"), Job{}, Repair::notes_only, no_progress);
+  const auto again = plan(sample("with_pond.geojson"), Job{}, Repair::notes_only, no_progress);
+  REQUIRE(once.has_value());
+  CHECK(to_geojson(once->file) == to_geojson(again->file));
+  CHECK(to_geojson(plan_from_geojson(to_geojson(once->file), "test")) == to_geojson(once->file));
+}
+
+TEST_CASE("real fields are planned without a fault, or refused by width", "[plan]") {
+  const std::filesystem::path folder = std::filesystem::path{SELION_SHARED_DIR} / "fields" / "public";
+  if (!std::filesystem::exists(folder)) {
+    WARN("skipped: no shared fields beside this checkout");
+    return;
+  }
+  // the smaller ones: all thirty run in tools/plan_public.sh
+  const auto name = GENERATE("quad_nz", "parallelogram_at", "l_shape_kh", "l_thin_arm_fi", "c_shape_nz",
+                             "t_shape_dk", "sawtooth_fi", "strip_fr", "strip_9m_at", "tiny_quad_vn",
+                             "tiny_arrow_pt", "ponds_dk", "y_shape_za");
+  CAPTURE(name);
+  const auto planned =
+      plan(read_one(folder / (std::string{name} + ".geojson")), Job{}, Repair::notes_only, no_progress);
+  if (!planned) {
+    CHECK(planned.error().reason.find("wide at its widest place") != std::string::npos);
+    return;
+  }
+  CHECK(covered(*planned) >= 0.9 * area(*planned));
+  CHECK(joined(faults_of(*planned, Machine{})) == "");
+}
