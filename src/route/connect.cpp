@@ -10,7 +10,7 @@
 namespace selion {
 namespace {
 
-constexpr double kCostStep_m = 1;
+constexpr double kCostStep_m = 3;
 
 /// Longer than this, a single turn is no turn any more but a wander over the field.
 double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) {
