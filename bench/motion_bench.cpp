@@ -75,7 +75,8 @@ void driving(benchmark::State& state) {
     legs.push_back({{line(at.at, end.at)}, 1.5, true});
     const double aside = std::abs(at.heading_rad) < 1 ? 3 : -3;
     at = {placed(end, {0, aside}), aside > 0 ? std::numbers::pi : 0};
-    for (const Stretch& stretch : connections(end, at, kRobot).front()) legs.push_back({stretch, 1});
+    const Path turn = connections(end, at, kRobot).front();
+    for (const Stretch& stretch : turn) legs.push_back({stretch, 1});
   }
   for (auto _ : state) benchmark::DoNotOptimize(drive(legs, Machine{}));
   state.SetItemsProcessed(state.iterations() * static_cast<long>(legs.size()));

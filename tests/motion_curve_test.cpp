@@ -63,7 +63,9 @@ Point displaced_slowly(const Curve& curve) {
   return {static_cast<double>(sum.x * s / (2 * panels)), static_cast<double>(sum.y * s / (2 * panels))};
 }
 
-double error_of(const Curve& curve) { return distance_m(displacement(curve, curve.length_m), displaced_slowly(curve)); }
+double error_of(const Curve& curve) {
+  return distance_m(displacement(curve, curve.length_m), displaced_slowly(curve));
+}
 
 }  // namespace
 
@@ -86,7 +88,8 @@ TEST_CASE("Fresnel integrals have the values of Abramowitz and Stegun, table 7.7
   CHECK(fresnel(5).s == Approx(0.4991914).margin(5e-8));
 }
 
-TEST_CASE("curves up to 1 km end where quadrature says, whatever their curvature and sharpness", "[motion][curve]") {
+TEST_CASE("curves up to 1 km end where quadrature says, whatever their curvature and sharpness",
+          "[motion][curve]") {
   std::mt19937 random{7};
   std::uniform_real_distribution<double> exponent{-16, 0};
   std::uniform_real_distribution<double> any{-1, 1};

@@ -42,7 +42,8 @@ std::vector<Leg> field_drive(unsigned seed) {
     legs.push_back({{line(end.at, placed(end, {2e-7, 0}))}, 1, false});
     const Pose start{placed(end, {2e-7, 0}), end.heading_rad};
     const Pose next{placed(start, {0, 3.0 * (i % 2 == 0 ? 1 : -1)}), start.heading_rad + std::numbers::pi};
-    for (const Leg& leg : legs_of(connections(start, next, limits_at(machine(), 1)).front(), any(random))) legs.push_back(leg);
+    for (const Leg& leg : legs_of(connections(start, next, limits_at(machine(), 1)).front(), any(random)))
+      legs.push_back(leg);
     Leg wait{{{next.at, next.heading_rad, 0, 0, 0}}, 1};
     wait.wait_s = 4;
     legs.push_back(wait);
@@ -57,7 +58,8 @@ std::vector<Leg> field_drive(unsigned seed) {
 double cap_of(const Leg& leg, const Machine& m) {
   const double start = std::abs(leg.stretch.curve.curvature_per_m);
   const double end = std::abs(end_of(leg.stretch.curve).curvature_per_m);
-  return std::min(leg.speed_cap_mps, max_speed_mps(m, std::max(start, end), std::abs(leg.stretch.curve.sharpness_per_m2)));
+  return std::min(leg.speed_cap_mps,
+                  max_speed_mps(m, std::max(start, end), std::abs(leg.stretch.curve.sharpness_per_m2)));
 }
 
 double way_m(const std::vector<Leg>& legs, const Sample& from, const Sample& to) {
@@ -93,7 +95,8 @@ TEST_CASE("a drive keeps caps and accelerations, and its speed integrates to the
       REQUIRE(std::abs((v0 + v1) / 2 * dt - way_m(legs, a, b)) < 1e-6);
       REQUIRE(distance_m(a.at, b.at) <= 100 + 1e-9);
       const Curve& curve = legs[a.leg].stretch.curve;
-      if (curve.curvature_per_m != 0 || curve.sharpness_per_m2 != 0) REQUIRE(distance_m(a.at, b.at) <= 0.25 + 1e-9);
+      if (curve.curvature_per_m != 0 || curve.sharpness_per_m2 != 0)
+        REQUIRE(distance_m(a.at, b.at) <= 0.25 + 1e-9);
       const bool reverse = legs[a.leg].stretch.gear == Gear::reverse;
       REQUIRE((reverse ? a.speed_mps <= 0 : a.speed_mps >= 0));
       REQUIRE(a.tool_down == legs[a.leg].tool_down);
@@ -106,7 +109,8 @@ TEST_CASE("a sample stands at every start of a leg that takes time", "[motion][s
   const auto samples = drive(legs, machine());
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (legs[i].stretch.curve.length_m < 1e-6 && legs[i].wait_s == 0) continue;
-    CHECK(std::count_if(samples.begin(), samples.end(), [i](const Sample& s) { return s.leg == i && s.s_m == 0; }) == 1);
+    CHECK(std::count_if(samples.begin(), samples.end(),
+                        [i](const Sample& s) { return s.leg == i && s.s_m == 0; }) == 1);
   }
 }
 
@@ -133,11 +137,13 @@ TEST_CASE("where the cap is out of reach the profile is a triangle", "[motion][s
 }
 
 TEST_CASE("a lower cap ahead is braked for, a higher one waited for", "[motion][speed]") {
-  const auto samples = drive(std::vector{straight(0, 50, 3), straight(50, 60, 1), straight(60, 120, 3)}, machine());
+  const auto samples =
+      drive(std::vector{straight(0, 50, 3), straight(50, 60, 1), straight(60, 120, 3)}, machine());
   for (const Sample& sample : samples) {
     if (sample.leg == 1) CHECK(sample.speed_mps == Approx(1));
   }
-  const auto corner = std::find_if(samples.begin(), samples.end(), [](const Sample& s) { return s.s_m == Approx(45); });
+  const auto corner =
+      std::find_if(samples.begin(), samples.end(), [](const Sample& s) { return s.s_m == Approx(45); });
   REQUIRE(corner != samples.end());  // (9 - 1) / (2 x .8) = 5 m before the joint
   CHECK(corner->speed_mps == Approx(3));
 }
@@ -148,7 +154,8 @@ TEST_CASE("a change of tool is a sample, not a stop", "[motion][speed]") {
   legs[1].tool_down = true;
   const auto samples = drive(legs, machine());
   CHECK(samples.back().t_s == Approx(undisturbed_s));
-  const auto change = std::find_if(samples.begin(), samples.end(), [](const Sample& s) { return s.tool_down; });
+  const auto change =
+      std::find_if(samples.begin(), samples.end(), [](const Sample& s) { return s.tool_down; });
   REQUIRE(change != samples.end());
   CHECK(change->at == Point{50, 0});
   CHECK(change->speed_mps == 2);
@@ -166,7 +173,8 @@ TEST_CASE("a wait repeats the position at rest", "[motion][speed]") {
   CHECK((stop + 1)->t_s == stop->t_s + 7);
 }
 
-TEST_CASE("a path driven back in the other order takes as long where braking is as strong", "[motion][speed]") {
+TEST_CASE("a path driven back in the other order takes as long where braking is as strong",
+          "[motion][speed]") {
   Machine m = machine();
   m.max_brake_mps2 = m.max_accel_mps2;
   const Path path = connections({{0, 0}, 0}, {{3, 4}, 2.5}, limits_at(m, 1)).front();

@@ -15,8 +15,8 @@ using namespace selion;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// The limits of Cariou et al. 2020 as the U-turn figures use them; a machine that steers slowly; one that never reaches
-// its curvature limit.
+// The limits of Cariou et al. 2020 as the U-turn figures use them; a machine that steers slowly; one that
+// never reaches its curvature limit.
 constexpr CurveLimits kPaper{0.27, 0.65};
 constexpr auto kLimits = std::to_array<CurveLimits>({kPaper, {0.556, 0.436}, {0.15, 0.02}, {2, 0.3}});
 
@@ -25,7 +25,8 @@ struct Pair {
   Pose to;
 };
 
-/// Pairs at distances from a micrometre to 100 m, with equal, opposite and any headings, and equal places among them.
+/// Pairs at distances from a micrometre to 100 m, with equal, opposite and any headings, and equal places
+/// among them.
 std::vector<Pair> pairs(int count) {
   std::mt19937 random{11};
   std::uniform_real_distribution<double> any{-1, 1};
@@ -48,10 +49,13 @@ double heading_gap(double a, double b) { return std::abs(wrapped(a - b)); }
 bool is_sound(const Path& path, const Pair& pair, const CurveLimits& limits) {
   const Gaps gap = gaps(path);
   if (gap.position_m > 1e-9 || gap.heading_rad > 1e-9 || gap.curvature_per_m > 1e-9) return false;
-  if (distance_m(start_pose(path).at, pair.from.at) > 1e-9 || distance_m(end_pose(path).at, pair.to.at) > 1e-9) return false;
+  if (distance_m(start_pose(path).at, pair.from.at) > 1e-9 ||
+      distance_m(end_pose(path).at, pair.to.at) > 1e-9)
+    return false;
   if (heading_gap(start_pose(path).heading_rad, pair.from.heading_rad) > 1e-9) return false;
   if (heading_gap(end_pose(path).heading_rad, pair.to.heading_rad) > 1e-9) return false;
-  if (path.front().curve.curvature_per_m != 0 || std::abs(end_of(path.back().curve).curvature_per_m) > 1e-9) return false;
+  if (path.front().curve.curvature_per_m != 0 || std::abs(end_of(path.back().curve).curvature_per_m) > 1e-9)
+    return false;
   return std::all_of(path.begin(), path.end(), [&](const Stretch& stretch) {
     const double end = end_of(stretch.curve).curvature_per_m;
     return std::abs(stretch.curve.curvature_per_m) <= limits.curvature_per_m * (1 + 1e-9) &&
@@ -117,7 +121,8 @@ std::vector<double> lengths(const std::vector<Path>& paths) {
 double shortest_m(std::string_view kind, double aside_m) {
   for (const TurnKind& turn : turns()) {
     if (turn.name != kind) continue;
-    const auto all = lengths(turn.candidates({{5, -7}, 0.4}, {placed({{5, -7}, 0.4}, {0, aside_m}), 0.4 + kPi}, kPaper));
+    const auto all =
+        lengths(turn.candidates({{5, -7}, 0.4}, {placed({{5, -7}, 0.4}, {0, aside_m}), 0.4 + kPi}, kPaper));
     return all.empty() ? -1 : all.front();
   }
   return -2;
@@ -145,7 +150,8 @@ TEST_CASE("any two poses are connected, shortest first, never shorter than Dubin
   const auto& limits = GENERATE(from_range(kLimits.begin(), kLimits.end()));
   CAPTURE(limits.curvature_per_m);
   for (const Pair& pair : pairs(3000)) {
-    CAPTURE(pair.from.at.x_m, pair.from.at.y_m, pair.from.heading_rad, pair.to.at.x_m, pair.to.at.y_m, pair.to.heading_rad);
+    CAPTURE(pair.from.at.x_m, pair.from.at.y_m, pair.from.heading_rad, pair.to.at.x_m, pair.to.at.y_m,
+            pair.to.heading_rad);
     const auto all = connections(pair.from, pair.to, limits);
     REQUIRE_FALSE(all.empty());
     for (const Path& path : all) REQUIRE(is_sound(path, pair, limits));
@@ -168,7 +174,8 @@ TEST_CASE("U-turns have the lengths of their closed forms", "[motion][turns]") {
   for (const double side : {1.0, -1.0}) {
     CHECK(shortest_m("loop", 2 * side) == Approx(25.15106).margin(1e-5));
     CHECK(shortest_m("loop", 6 * side) == Approx(18.61870).margin(1e-5));
-    for (const double w : {7.83, 8.0, 12.0}) CHECK(shortest_m("flat", w * side) == Approx(12.63967 + w - 8).margin(1e-5));
+    for (const double w : {7.83, 8.0, 12.0})
+      CHECK(shortest_m("flat", w * side) == Approx(12.63967 + w - 8).margin(1e-5));
   }
 }
 
@@ -196,7 +203,8 @@ TEST_CASE("a U-turn between swaths that end apart drives the shorter one on", "[
 
 TEST_CASE("headings not quite opposite are met exactly", "[motion][turns]") {
   for (const double off : {1e-12, 1e-9, 5e-7, -5e-7}) {
-    for (const auto& [name, aside] : {std::pair{"loop", 3.0}, std::pair{"dip", 7.5}, std::pair{"flat", 9.0}}) {
+    for (const auto& [name, aside] :
+         {std::pair{"loop", 3.0}, std::pair{"dip", 7.5}, std::pair{"flat", 9.0}}) {
       const Pair pair{{{1, 2}, 0.3}, {placed({{1, 2}, 0.3}, {1, aside}), 0.3 + kPi + off}};
       for (const TurnKind& kind : turns()) {
         if (kind.name != name) continue;
@@ -209,7 +217,8 @@ TEST_CASE("headings not quite opposite are met exactly", "[motion][turns]") {
   }
 }
 
-TEST_CASE("a swing turns by its deflection, from straight to straight, within the limits", "[motion][swing]") {
+TEST_CASE("a swing turns by its deflection, from straight to straight, within the limits",
+          "[motion][swing]") {
   const auto& limits = GENERATE(from_range(kLimits.begin(), kLimits.end()));
   const Pose from{{3, 4}, 1};
   CHECK(swing(from, 0, limits).empty());
@@ -219,7 +228,8 @@ TEST_CASE("a swing turns by its deflection, from straight to straight, within th
       const Path path = swing(from, deflection, limits);
       const Pair pair{from, end_pose(path)};
       CHECK(is_sound(path, pair, limits));
-      CHECK(std::abs(pair.to.heading_rad - from.heading_rad - deflection) < 1e-15 * (1 + std::abs(deflection)) + 1e-15);
+      CHECK(std::abs(pair.to.heading_rad - from.heading_rad - deflection) <
+            1e-15 * (1 + std::abs(deflection)) + 1e-15);
       const double peak = std::abs(path.back().curve.curvature_per_m);
       CHECK(peak == Approx(std::min(limits.curvature_per_m, std::sqrt(limits.sharpness_per_m2 * size))));
     }
@@ -245,5 +255,6 @@ TEST_CASE("the corner of a swing is where its tangents meet", "[motion][swing]")
 TEST_CASE("a turn at lower speed may be sharper", "[motion][swing]") {
   const Machine machine;
   CHECK(limits_at(machine, 1).curvature_per_m == limits_at(machine, 2).curvature_per_m);
-  CHECK(limits_at(machine, 1).sharpness_per_m2 == Approx(2 * limits_at(machine, 2).sharpness_per_m2).epsilon(1e-4));
+  CHECK(limits_at(machine, 1).sharpness_per_m2 ==
+        Approx(2 * limits_at(machine, 2).sharpness_per_m2).epsilon(1e-4));
 }

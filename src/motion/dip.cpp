@@ -17,7 +17,7 @@ constexpr double kNoCurve_m = 1e-12;
 /// A turn to the left whose curvature rises, dips to `dip_per_m` in its middle, rises again and ends at 0.
 struct Dip {
   double dip_per_m = 0;
-  double first_rad = 0;   ///< deflection up to the middle
+  double first_rad = 0;  ///< deflection up to the middle
   double second_rad = 0;
 };
 
@@ -70,7 +70,8 @@ Point rotated(double angle_rad, Point p) { return placed({{}, angle_rad}, p); }
 Point way_of(const Half& half, double sharpness_per_m2) {
   const Curve up{{}, 0, 0, sharpness_per_m2, half.up_m};
   const Curve arc{{}, half.peak_per_m * half.up_m / 2, half.peak_per_m, 0, half.arc_m};
-  const Curve down{{}, arc.heading_rad + half.peak_per_m * half.arc_m, half.peak_per_m, -sharpness_per_m2, half.down_m};
+  const Curve down{
+      {}, arc.heading_rad + half.peak_per_m * half.arc_m, half.peak_per_m, -sharpness_per_m2, half.down_m};
   return displacement(up, half.up_m) + displacement(arc, half.arc_m) + displacement(down, half.down_m);
 }
 
@@ -84,8 +85,8 @@ std::optional<Point> way_of(const Dip& dip, const CurveLimits& limits) {
          rotated(dip.first_rad + dip.second_rad, {back.x_m, -back.y_m});
 }
 
-/// Both halves with an arc at the curvature limit: the two arcs' centres fix the middle's heading, and their distance the
-/// dip.
+/// Both halves with an arc at the curvature limit: the two arcs' centres fix the middle's heading, and their
+/// distance the dip.
 std::optional<Dip> dip_between_arcs(const Pose& goal, double deflection_rad, const Swings& swings) {
   const CurveLimits& limits = swings.limits();
   const double k = limits.curvature_per_m;
@@ -158,9 +159,11 @@ std::optional<Dip> dip_to(const Pose& goal, const Swings& swings) {
   return even ? polished(*even, goal, swings.limits()) : std::nullopt;
 }
 
-void add(std::vector<Path>& paths, const Pose& from, const Pose& to, const UTurn& turn, const Swings& swings) {
+void add(std::vector<Path>& paths, const Pose& from, const Pose& to, const UTurn& turn,
+         const Swings& swings) {
   for (const int side : {1, -1}) {
-    const Pose seen = side > 0 ? turn.goal : Pose{{turn.goal.at.x_m, -turn.goal.at.y_m}, -turn.goal.heading_rad};
+    const Pose seen =
+        side > 0 ? turn.goal : Pose{{turn.goal.at.x_m, -turn.goal.at.y_m}, -turn.goal.heading_rad};
     const auto dip = dip_to(seen, swings);
     if (!dip) continue;
     Drawn drawn{{}, from};

@@ -7,9 +7,9 @@
 #include <complex>
 #include <numbers>
 
-// A clothoid is evaluated by what its heading does: while the heading turns little, Gauss-Legendre; where the curvature
-// stays away from 0, the asymptotic series at both ends; else as a difference of Fresnel integrals, which are made of the
-// same two.
+// A clothoid is evaluated by what its heading does: while the heading turns little, Gauss-Legendre; where the
+// curvature stays away from 0, the asymptotic series at both ends; else as a difference of Fresnel integrals,
+// which are made of the same two.
 namespace selion {
 namespace {
 
@@ -34,17 +34,19 @@ constexpr auto kFine = std::to_array<Node>({{0.095012509837637440185, 0.18945061
                                             {0.86563120238783174388, 0.09515851168249278481},
                                             {0.94457502307323257608, 0.062253523938647892863},
                                             {0.9894009349916499326, 0.027152459411754094852}});
-// Largest change of heading over half the length, counted at the larger curvature, at which each rule errs by 1e-16.
+// Largest change of heading over half the length, counted at the larger curvature, at which each rule errs by
+// 1e-16.
 constexpr double kCoarsePhase = 0.7;
 constexpr double kFinePhase = 3;
-// Least curvature^2 / |sharpness| at which the asymptotic series reaches 1e-16 (its smallest term is exp(-half of this)).
+// Least curvature^2 / |sharpness| at which the asymptotic series reaches 1e-16 (its smallest term is
+// exp(-half of this)).
 constexpr double kAsymptotic = 75;
 
 Complex turned(Complex z, double angle_rad) { return z * Complex{std::cos(angle_rad), std::sin(angle_rad)}; }
 
 /// Mean of exp(i (p x + q x^2)) over [-1, 1]; the odd part drops out.
-template <std::size_t n>
-Complex mean_direction(double p, double q, const std::array<Node, n>& rule) {
+template <std::size_t Size>
+Complex mean_direction(double p, double q, const std::array<Node, Size>& rule) {
   double along = 0;
   double across = 0;
   for (const Node node : rule) {
@@ -66,11 +68,13 @@ Complex by_quadrature(double k, double c, double s) {
   const double middle_heading = (k + c * half / 2) * half;
   const double p = (k + c * half) * half;
   const double q = c * half * half / 2;
-  const Complex mean = half_phase(k, c, s) <= kCoarsePhase ? mean_direction(p, q, kCoarse) : mean_direction(p, q, kFine);
+  const Complex mean =
+      half_phase(k, c, s) <= kCoarsePhase ? mean_direction(p, q, kCoarse) : mean_direction(p, q, kFine);
   return turned(s * mean, middle_heading);
 }
 
-/// The A in exp(i heading) A, an antiderivative of exp(i heading), where the curvature is k: repeated integration by parts.
+/// The A in exp(i heading) A, an antiderivative of exp(i heading), where the curvature is k: repeated
+/// integration by parts.
 Complex asymptotic_end(double k, double c) {
   const Complex ratio{0, -c / (k * k)};
   Complex term{0, -1 / k};
@@ -92,11 +96,13 @@ double fresnel_phase(double t) {
 
 /// C + iS for t >= 0.
 Complex fresnel_upwards(double t) {
-  if (is_asymptotic(kPi * t, kPi)) return Complex{0.5, 0.5} + turned(asymptotic_end(kPi * t, kPi), fresnel_phase(t));
+  if (is_asymptotic(kPi * t, kPi))
+    return Complex{0.5, 0.5} + turned(asymptotic_end(kPi * t, kPi), fresnel_phase(t));
   const int panels = 1 + static_cast<int>(kPi * t * t / (2 * kFinePhase));
   const double step = t / panels;
   Complex sum = 0;
-  for (int i = 0; i < panels; ++i) sum += turned(by_quadrature(kPi * i * step, kPi, step), fresnel_phase(i * step));
+  for (int i = 0; i < panels; ++i)
+    sum += turned(by_quadrature(kPi * i * step, kPi, step), fresnel_phase(i * step));
   return sum;
 }
 
@@ -134,7 +140,8 @@ FresnelPair fresnel(double t) {
 }
 
 Point displacement(const Curve& curve, double s_m) {
-  const Complex way = turned(from_east(curve.curvature_per_m, curve.sharpness_per_m2, s_m), curve.heading_rad);
+  const Complex way =
+      turned(from_east(curve.curvature_per_m, curve.sharpness_per_m2, s_m), curve.heading_rad);
   return {way.real(), way.imag()};
 }
 

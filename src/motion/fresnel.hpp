@@ -12,8 +12,9 @@ struct FresnelPair {
 };
 FresnelPair fresnel(double t);
 
-/// From the start of the curve to its point at `s_m` (which may lie outside [0, length]), in the curve's frame of
-/// reference. The error stays near 1e-16 of the way driven, with no seam between lines, arcs and clothoids.
+/// From the start of the curve to its point at `s_m` (which may lie outside [0, length]), in the curve's
+/// frame of reference. The error stays near 1e-16 of the way driven, with no seam between lines, arcs and
+/// clothoids.
 Point displacement(const Curve& curve, double s_m);
 
 }  // namespace selion

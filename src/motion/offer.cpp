@@ -11,14 +11,15 @@
 namespace selion {
 namespace {
 
-constexpr double kMeets = 1e-9;       // m, rad, 1/m
+constexpr double kMeets = 1e-9;         // m, rad, 1/m
 constexpr double kAntiparallel = 1e-6;  // rad
 
 bool keeps(const Path& path, const CurveLimits& limits) {
   return std::all_of(path.begin(), path.end(), [&limits](const Stretch& stretch) {
     const Curve& curve = stretch.curve;
     const double end = curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m;
-    return std::max(std::abs(curve.curvature_per_m), std::abs(end)) <= limits.curvature_per_m * (1 + kMeets) &&
+    return std::max(std::abs(curve.curvature_per_m), std::abs(end)) <=
+               limits.curvature_per_m * (1 + kMeets) &&
            std::abs(curve.sharpness_per_m2) <= limits.sharpness_per_m2 * (1 + kMeets) && curve.length_m >= 0;
   });
 }

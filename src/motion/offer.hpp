@@ -19,9 +19,9 @@ void offer(std::vector<Path>& paths, Drawn drawn, const Pose& to, const CurveLim
 
 /// A U-turn between swaths that end at unequal places: the shorter one is driven on.
 struct UTurn {
-  double before_m = 0;   ///< straight before the turn
-  double after_m = 0;    ///< straight after it
-  Pose goal;             ///< of the turn between, seen from its start
+  double before_m = 0;  ///< straight before the turn
+  double after_m = 0;   ///< straight after it
+  Pose goal;            ///< of the turn between, seen from its start
 };
 /// Empty unless the headings are opposite within 1e-6 rad.
 std::optional<UTurn> u_turn(const Pose& from, const Pose& to);

@@ -52,9 +52,7 @@ Pose end_pose(const Path& path) { return vehicle_pose(path.back(), path.back().c
 Path backed(const Path& path) {
   Path back;
   back.reserve(path.size());
-  for (auto stretch = path.rbegin(); stretch != path.rend(); ++stretch) {
-    back.push_back({reversed(stretch->curve), other(stretch->gear)});
-  }
+  for (std::size_t i = path.size(); i-- > 0;) back.push_back({reversed(path[i].curve), other(path[i].gear)});
   return back;
 }
 
@@ -80,7 +78,8 @@ Gaps gaps(const Path& path) {
     const Pose arrived = vehicle_pose(last, last.curve.length_m);
     const Pose leaving = vehicle_pose(next, 0);
     largest.position_m = std::max(largest.position_m, distance_m(arrived.at, leaving.at));
-    largest.heading_rad = std::max(largest.heading_rad, std::abs(wrapped(leaving.heading_rad - arrived.heading_rad)));
+    largest.heading_rad =
+        std::max(largest.heading_rad, std::abs(wrapped(leaving.heading_rad - arrived.heading_rad)));
     if (last.gear != next.gear) continue;
     const double step = next.curve.curvature_per_m - end_of(last.curve).curvature_per_m;
     largest.curvature_per_m = std::max(largest.curvature_per_m, std::abs(step));

@@ -29,7 +29,8 @@ struct Measured {
   Path path;
 };
 
-/// Families overlap: a flat turn is also left, straight, left. The one of fewer stretches stands first and stays.
+/// Families overlap: a flat turn is also left, straight, left. The one of fewer stretches stands first and
+/// stays.
 bool same_way(const Measured& a, const Measured& b) {
   if (std::abs(a.length_m - b.length_m) > 1e-7) return false;
   const auto quarter = [](const Measured& m) {
@@ -73,7 +74,8 @@ std::span<const TurnKind> turns() { return kTurns; }
 std::vector<Path> connections(const Pose& from, const Pose& to, const CurveLimits& limits) {
   std::vector<Measured> found = candidates(from, to, limits);
   if (found.empty()) found = driven_on(from, to, limits);
-  std::stable_sort(found.begin(), found.end(), [](const Measured& a, const Measured& b) { return a.length_m < b.length_m; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Measured& a, const Measured& b) { return a.length_m < b.length_m; });
   found.erase(std::unique(found.begin(), found.end(), same_way), found.end());
   std::vector<Path> paths;
   paths.reserve(found.size());

@@ -13,8 +13,8 @@ struct RootEnd {
   double y = 0;
 };
 
-/// The root between `a` and `b`, where y changes its sign, to the last bits of x (Chandrupatla 1997: inverse quadratic
-/// steps where the function allows, else bisection).
+/// The root between `a` and `b`, where y changes its sign, to the last bits of x (Chandrupatla 1997: inverse
+/// quadratic steps where the function allows, else bisection).
 /// @pre a.y and b.y differ in sign, or one of them is 0.
 template <class Function>
 double root_between(RootEnd a, RootEnd b, Function y_of) {
@@ -30,7 +30,8 @@ double root_between(RootEnd a, RootEnd b, Function y_of) {
       a = b;
     }
     b = now;
-    const double least = (2 * std::numeric_limits<double>::epsilon() * std::abs(b.x) + 1e-18) / std::abs(a.x - b.x);
+    const double least =
+        (2 * std::numeric_limits<double>::epsilon() * std::abs(b.x) + 1e-18) / std::abs(a.x - b.x);
     if (!(least < 0.5)) break;
     const double xi = (b.x - a.x) / (third.x - a.x);
     const double phi = (b.y - a.y) / (third.y - a.y);

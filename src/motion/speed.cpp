@@ -12,7 +12,7 @@
 namespace selion {
 namespace {
 
-constexpr double kNoLeg_m = 1e-6;       // legs shorter than this take no time
+constexpr double kNoLeg_m = 1e-6;        // legs shorter than this take no time
 constexpr double kLeastCorner_s = 5e-4;  // corners of the profile nearer to each other than this are one
 constexpr double kStraightStep_m = 100;
 constexpr double kCurvedStep_m = 0.25;
@@ -48,7 +48,8 @@ std::vector<Part> parts_of(std::span<const Leg> legs, const Machine& machine) {
   return parts;
 }
 
-/// Speeds at the joints: the lower cap, less where it cannot be reached from before or braked from to what follows.
+/// Speeds at the joints: the lower cap, less where it cannot be reached from before or braked from to what
+/// follows.
 void set_speeds(std::vector<Part>& parts, std::span<const Leg> legs, const Machine& machine) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     Part& last = parts[i - 1];
@@ -59,10 +60,11 @@ void set_speeds(std::vector<Part>& parts, std::span<const Leg> legs, const Machi
     next.start2 = last.end2;
   }
   double after = 0;
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    part->end2 = after;
-    part->start2 = std::min(part->start2, after + 2 * machine.max_brake_mps2 * part->length_m);
-    after = part->start2;
+  for (std::size_t i = parts.size(); i-- > 0;) {
+    Part& part = parts[i];
+    part.end2 = after;
+    part.start2 = std::min(part.start2, after + 2 * machine.max_brake_mps2 * part.length_m);
+    after = part.start2;
   }
 }
 
@@ -76,8 +78,8 @@ double seconds(const Knot& from, const Knot& to) {
   return 2 * (to.s_m - from.s_m) / (std::sqrt(from.speed2) + std::sqrt(to.speed2));
 }
 
-/// Accelerate, keep the cap, brake. Corners too near to another are left out where the rest can do without: the slopes
-/// then are gentler.
+/// Accelerate, keep the cap, brake. Corners too near to another are left out where the rest can do without:
+/// the slopes then are gentler.
 std::vector<Knot> corners_of(const Part& part, const Machine& machine) {
   const double a = machine.max_accel_mps2;
   const double b = machine.max_brake_mps2;
@@ -88,11 +90,13 @@ std::vector<Knot> corners_of(const Part& part, const Machine& machine) {
   const Knot up{std::clamp((top2 - part.start2) / (2 * a), 0.0, part.length_m), top2};
   const Knot down{std::clamp(part.length_m - (top2 - part.end2) / (2 * b), up.s_m, part.length_m), top2};
   if (part.start2 == 0 && part.end2 == 0) {
-    return seconds(up, down) < kLeastCorner_s ? std::vector{start, up, end} : std::vector{start, up, down, end};
+    return seconds(up, down) < kLeastCorner_s ? std::vector{start, up, end}
+                                              : std::vector{start, up, down, end};
   }
   std::vector<Knot> corners{start};
   for (const Knot& corner : {up, down}) {
-    if (seconds(corners.back(), corner) >= kLeastCorner_s && seconds(corner, end) >= kLeastCorner_s) corners.push_back(corner);
+    if (seconds(corners.back(), corner) >= kLeastCorner_s && seconds(corner, end) >= kLeastCorner_s)
+      corners.push_back(corner);
   }
   corners.push_back(end);
   return corners;
@@ -107,8 +111,8 @@ class Drive {
     const CurveState state = state_at(stretch.curve, s_m);
     const double speed = std::sqrt(speed2);
     const bool backwards = stretch.gear == Gear::reverse && speed > 0;
-    samples_.push_back({leg, s_m, t_s_, state.at, wrapped(vehicle_heading(stretch, state)), state.curvature_per_m,
-                        backwards ? -speed : speed, legs_[leg].tool_down});
+    samples_.push_back({leg, s_m, t_s_, state.at, wrapped(vehicle_heading(stretch, state)),
+                        state.curvature_per_m, backwards ? -speed : speed, legs_[leg].tool_down});
   }
 
   void wait(std::size_t leg) {
@@ -121,11 +125,12 @@ class Drive {
     const Curve& curve = legs_[leg].stretch.curve;
     const bool curved = curve.curvature_per_m != 0 || curve.sharpness_per_m2 != 0;
     const double length = to.s_m - from.s_m;
-    const double steps = std::max(1.0, std::ceil(length / (curved ? kCurvedStep_m : kStraightStep_m) - 1e-9));
+    const auto steps =
+        std::max(1L, std::lround(std::ceil(length / (curved ? kCurvedStep_m : kStraightStep_m) - 1e-9)));
     Knot last = from;
-    for (double i = 1; i <= steps; ++i) {
+    for (long i = 1; i <= steps; ++i) {
       sample(leg, last.s_m, last.speed2);
-      const double share = i / steps;
+      const double share = static_cast<double>(i) / static_cast<double>(steps);
       const Knot next{from.s_m + share * length, from.speed2 + share * (to.speed2 - from.speed2)};
       t_s_ += seconds(last, next);
       last = next;

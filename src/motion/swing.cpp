@@ -19,8 +19,8 @@ constexpr auto kSteps = [] {
   return steps;
 }();
 
-/// Means of cos and sin of phi (1 - t^2) over t in [0, 1]: how a clothoid that deflects by phi lies along and across its
-/// end's heading, per length. The n-th term is phi^n / n! times the mean of (1 - t^2)^n.
+/// Means of cos and sin of phi (1 - t^2) over t in [0, 1]: how a clothoid that deflects by phi lies along and
+/// across its end's heading, per length. The n-th term is phi^n / n! times the mean of (1 - t^2)^n.
 Point clothoid_means(double phi) {
   Point means;
   double term = 1;
@@ -49,7 +49,8 @@ Swings::Swings(const CurveLimits& limits) : limits_{limits} {
 SwingShape Swings::shape(double deflection_rad) const {
   const double arc = (deflection_rad - full_rad_) / limits_.curvature_per_m;
   if (arc > kNoArc_m) {
-    return {limits_.curvature_per_m, limits_.sharpness_per_m2, limits_.curvature_per_m / limits_.sharpness_per_m2, arc};
+    return {limits_.curvature_per_m, limits_.sharpness_per_m2,
+            limits_.curvature_per_m / limits_.sharpness_per_m2, arc};
   }
   const double peak = std::min(std::sqrt(limits_.sharpness_per_m2 * deflection_rad), limits_.curvature_per_m);
   return {peak, peak * peak / deflection_rad, deflection_rad / peak, 0};

@@ -7,16 +7,16 @@ namespace selion {
 
 /// The curves of a swing by a deflection >= 0: clothoid, arc, clothoid.
 struct SwingShape {
-  double curvature_per_m = 0;    ///< at its middle
+  double curvature_per_m = 0;  ///< at its middle
   double sharpness_per_m2 = 0;
-  double clothoid_m = 0;         ///< length of each
+  double clothoid_m = 0;  ///< length of each
   double arc_m = 0;
 };
 
 /// Straight from a swing's start to its end. Its direction is half of the deflection.
 struct Chord {
-  double length_m = 0;           ///< negative where a swing turns so far that its ends have passed each other
-  double slope_m_per_rad = 0;    ///< with respect to the deflection
+  double length_m = 0;         ///< negative where a swing turns so far that its ends have passed each other
+  double slope_m_per_rad = 0;  ///< with respect to the deflection
 };
 
 /// All swings within some limits. What they move depends on their deflection only, so it is worked out once.
@@ -25,7 +25,8 @@ class Swings {
   explicit Swings(const CurveLimits& limits);
 
   [[nodiscard]] const CurveLimits& limits() const { return limits_; }
-  /// The centre of the arc, from the start of a swing to the left: ahead and to the left. Of every swing by full_rad or more.
+  /// The centre of the arc, from the start of a swing to the left: ahead and to the left. Of every swing by
+  /// full_rad or more.
   [[nodiscard]] Point centre() const { return centre_; }
   /// The least deflection at which the curvature limit is reached.
   [[nodiscard]] double full_rad() const { return full_rad_; }

@@ -9,11 +9,11 @@
 namespace selion {
 namespace {
 
-template <int first_side, int second_side>
+template <int First, int Second>
 std::vector<Path> with_line(const Pose& from, const Pose& to, const CurveLimits& limits) {
   const Swings swings{limits};
   std::vector<Path> paths;
-  for (const SwingLineSwing& word : swing_line_swings(seen_from(from, to), first_side, second_side, swings)) {
+  for (const SwingLineSwing& word : swing_line_swings(seen_from(from, to), First, Second, swings)) {
     Drawn drawn{{}, from};
     draw_swing(drawn, word.first_rad, swings);
     draw_line(drawn, word.line_m);
@@ -23,11 +23,11 @@ std::vector<Path> with_line(const Pose& from, const Pose& to, const CurveLimits&
   return paths;
 }
 
-template <int side>
+template <int Side>
 std::vector<Path> of_three(const Pose& from, const Pose& to, const CurveLimits& limits) {
   const Swings swings{limits};
   std::vector<Path> paths;
-  for (const ThreeSwings& word : three_swings(seen_from(from, to), side, swings)) {
+  for (const ThreeSwings& word : three_swings(seen_from(from, to), Side, swings)) {
     Drawn drawn{{}, from};
     draw_swings(drawn, word, swings);
     offer(paths, std::move(drawn), to, limits);
@@ -46,11 +46,23 @@ std::vector<Path> straight_turn(const Pose& from, const Pose& to, const CurveLim
   return paths;
 }
 
-std::vector<Path> lsl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) { return with_line<1, 1>(from, to, limits); }
-std::vector<Path> rsr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) { return with_line<-1, -1>(from, to, limits); }
-std::vector<Path> lsr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) { return with_line<1, -1>(from, to, limits); }
-std::vector<Path> rsl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) { return with_line<-1, 1>(from, to, limits); }
-std::vector<Path> lrl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) { return of_three<1>(from, to, limits); }
-std::vector<Path> rlr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) { return of_three<-1>(from, to, limits); }
+std::vector<Path> lsl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
+  return with_line<1, 1>(from, to, limits);
+}
+std::vector<Path> rsr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
+  return with_line<-1, -1>(from, to, limits);
+}
+std::vector<Path> lsr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
+  return with_line<1, -1>(from, to, limits);
+}
+std::vector<Path> rsl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
+  return with_line<-1, 1>(from, to, limits);
+}
+std::vector<Path> lrl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
+  return of_three<1>(from, to, limits);
+}
+std::vector<Path> rlr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
+  return of_three<-1>(from, to, limits);
+}
 
 }  // namespace selion

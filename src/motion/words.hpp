@@ -17,7 +17,8 @@ struct SwingLineSwing {
 };
 
 /// All that reach `goal` (seen from the start); a side is 1 for left, -1 for right.
-std::vector<SwingLineSwing> swing_line_swings(const Pose& goal, int first_side, int second_side, const Swings& swings);
+std::vector<SwingLineSwing> swing_line_swings(const Pose& goal, int first_side, int second_side,
+                                              const Swings& swings);
 
 /// Three swings in turn to the side `side`, to the other and to `side` again; signed.
 using ThreeSwings = std::array<double, 3>;

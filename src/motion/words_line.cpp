@@ -35,7 +35,8 @@ struct Word {
   }
   [[nodiscard]] double line_m(double u, double v) const {
     const double seen_ahead = goal.at.x_m * std::cos(u) + first_side * goal.at.y_m * std::sin(u);
-    return seen_ahead - swings->chord(u).length_m * std::cos(u / 2) - swings->chord(v).length_m * std::cos(v / 2);
+    return seen_ahead - swings->chord(u).length_m * std::cos(u / 2) -
+           swings->chord(v).length_m * std::cos(v / 2);
   }
 };
 
@@ -51,7 +52,8 @@ void add(std::vector<SwingLineSwing>& words, const Word& word, double root) {
   words.push_back({word.first_side * u, line < kNoLine_m ? 0 : line, word.second_side * v});
 }
 
-/// Roots between two neighbouring samples; a dip towards 0 between three is looked into at the vertex of its parabola.
+/// Roots between two neighbouring samples; a dip towards 0 between three is looked into at the vertex of its
+/// parabola.
 class Scan {
  public:
   Scan(const Word& word, std::vector<SwingLineSwing>& words) : word_{word}, words_{words} {}
@@ -65,7 +67,8 @@ class Scan {
     const RootEnd next{u, word_.miss_m(u)};
     if (seen_ > 0 && (next.y > 0) != (b_.y > 0)) {
       solve(b_, next);
-    } else if (seen_ > 1 && (a_.y > 0) == (b_.y > 0) && std::abs(b_.y) < std::abs(a_.y) && std::abs(b_.y) < std::abs(next.y)) {
+    } else if (seen_ > 1 && (a_.y > 0) == (b_.y > 0) && std::abs(b_.y) < std::abs(a_.y) &&
+               std::abs(b_.y) < std::abs(next.y)) {
       look_between(next);
     }
     a_ = b_;
@@ -122,11 +125,13 @@ void add_full(std::vector<SwingLineSwing>& words, const Word& word, double from,
 
 }  // namespace
 
-std::vector<SwingLineSwing> swing_line_swings(const Pose& goal, int first_side, int second_side, const Swings& swings) {
+std::vector<SwingLineSwing> swing_line_swings(const Pose& goal, int first_side, int second_side,
+                                              const Swings& swings) {
   const Word word{goal, static_cast<double>(first_side), static_cast<double>(second_side), &swings};
   const double full = std::min(swings.full_rad(), kTurn);
-  const double seam = whole_turns_off(first_side * goal.heading_rad);                         // v = 0
-  const double second_full = whole_turns_off(first_side * (goal.heading_rad - second_side * full));  // v = full
+  const double seam = whole_turns_off(first_side * goal.heading_rad);  // v = 0
+  const double second_full =
+      whole_turns_off(first_side * (goal.heading_rad - second_side * full));  // v = full
   std::array<double, 5> bounds{0, full, seam, second_full, kTurn};
   std::sort(bounds.begin(), bounds.end());
 

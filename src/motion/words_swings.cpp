@@ -19,9 +19,9 @@ constexpr double kLeast_rad = 1e-12;
 constexpr double kMost_rad = kTurn - 1e-9;
 constexpr double kStart_rad = 0.003;  // from 0 the square root has no slope
 constexpr int kSteps = 20;
-constexpr int kGrid = 12;       // parts of a whole turn
+constexpr std::size_t kGrid = 12;      // parts of a whole turn
 constexpr double kSameRoot_rad = 0.1;  // a start this near to a root found leads there
-constexpr double kSlack = 0.3;  // of a triangle's side, for what linear interpolation gets wrong
+constexpr double kSlack = 0.3;         // of a triangle's side, for what linear interpolation gets wrong
 constexpr double kStride_rad = 0.7;
 constexpr double kMet_m = 1e-11;
 
@@ -33,8 +33,8 @@ Pose mirrored(const Pose& pose) { return {{pose.at.x_m, -pose.at.y_m}, -pose.hea
 
 double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
-/// What the swings left by d1, right by d2, left by d3 miss the goal by, with its derivatives. The heading at the end, as
-/// `at_end`, stays as it is: d2 gives way to d1 and d3.
+/// What the swings left by d1, right by d2, left by d3 miss the goal by, with its derivatives. The heading at
+/// the end, as `at_end`, stays as it is: d2 gives way to d1 and d3.
 struct Miss {
   Complex value;
   Complex by_first;
@@ -51,16 +51,19 @@ Miss miss_of(const ThreeSwings& d, Complex at_end, Complex goal, const Swings& s
   const Complex along2 = along1 * along1 * std::conj(half2);
   const Complex along3 = at_end * std::conj(half3);
   return {c1.length_m * along1 + c2.length_m * along2 + c3.length_m * along3 - goal,
-          Complex{c1.slope_m_per_rad, c1.length_m / 2} * along1 + Complex{c2.slope_m_per_rad, c2.length_m / 2} * along2,
-          Complex{c2.slope_m_per_rad, -c2.length_m / 2} * along2 + Complex{c3.slope_m_per_rad, -c3.length_m / 2} * along3};
+          Complex{c1.slope_m_per_rad, c1.length_m / 2} * along1 +
+              Complex{c2.slope_m_per_rad, c2.length_m / 2} * along2,
+          Complex{c2.slope_m_per_rad, -c2.length_m / 2} * along2 +
+              Complex{c3.slope_m_per_rad, -c3.length_m / 2} * along3};
 }
 
-/// A Newton step of `by_rad` taken in the deflection's square root, in which a small swing's length is smooth; cut to
-/// half a turn and to what a swing may be.
+/// A Newton step of `by_rad` taken in the deflection's square root, in which a small swing's length is
+/// smooth; cut to half a turn and to what a swing may be.
 double stepped(double deflection_rad, double by_rad) {
   const double root = std::sqrt(deflection_rad);
   const double next = std::clamp(root + by_rad / (2 * root), root / 8, std::sqrt(kMost_rad));
-  return std::clamp(next * next, std::max(deflection_rad - kStride_rad, kLeast_rad), deflection_rad + kStride_rad);
+  return std::clamp(next * next, std::max(deflection_rad - kStride_rad, kLeast_rad),
+                    deflection_rad + kStride_rad);
 }
 
 /// Left, right, left; the deflections as magnitudes.
@@ -97,26 +100,30 @@ bool near(const ThreeSwings& a, const ThreeSwings& b, double within_rad) {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) < within_rad;
 }
 
-void add_polished(std::vector<ThreeSwings>& found, const ThreeSwings& start, const Pose& goal, const Swings& swings) {
+void add_polished(std::vector<ThreeSwings>& found, const ThreeSwings& start, const Pose& goal,
+                  const Swings& swings) {
   const auto has = [&found](const ThreeSwings& triple, double within_rad) {
-    return std::any_of(found.begin(), found.end(), [&](const ThreeSwings& other) { return near(other, triple, within_rad); });
+    return std::any_of(found.begin(), found.end(),
+                       [&](const ThreeSwings& other) { return near(other, triple, within_rad); });
   };
   if (has(start, kSameRoot_rad)) return;
   const auto triple = polished_left(start, goal, swings);
   if (triple && !has(*triple, 1e-7)) found.push_back(*triple);
 }
 
-/// The misses over a grid of the first and third deflections. The third one's grid is shifted so that the second, which
-/// follows from them, is a whole number of steps everywhere: its jump from a whole turn to 0 then runs along the diagonals
-/// that cut the cells into triangles, and never through one.
+/// The misses over a grid of the first and third deflections. The third one's grid is shifted so that the
+/// second, which follows from them, is a whole number of steps everywhere: its jump from a whole turn to 0
+/// then runs along the diagonals that cut the cells into triangles, and never through one.
 class Grid {
  public:
-  Grid(const Pose& goal, const Swings& swings) : far_m_{4 * (kStep * length_m(swings.centre()) + swings.chord(kStep).length_m)} {
+  Grid(const Pose& goal, const Swings& swings)
+      : far_m_{4 * (kStep * length_m(swings.centre()) + swings.chord(kStep).length_m)} {
     const double psi = whole_turns_off(goal.heading_rad);
-    shift_ = std::min(static_cast<int>(psi / kStep), kGrid - 1);
-    const double third_least = psi - kStep * shift_ - kStep;
+    shift_ = std::min(static_cast<std::size_t>(psi / kStep), kGrid - 1);
+    const double third_least = psi - kStep * static_cast<double>(shift_) - kStep;
     const Complex target{goal.at.x_m, goal.at.y_m};
-    // Below 0 a swing goes back as far as one to the other side goes ahead: smooth in the deflection's signed root.
+    // Below 0 a swing goes back as far as one to the other side goes ahead: smooth in the deflection's signed
+    // root.
     const auto way = [&swings](double d) {
       const Complex along = towards(std::abs(d) / 2);
       const double chord = swings.chord(std::abs(d), point(along)).length_m;
@@ -145,13 +152,15 @@ class Grid {
     std::vector<ThreeSwings> starts;
     for (std::size_t i = 0; i < kGrid; ++i) {
       for (std::size_t j = 0; j + 1 < third_start_.size(); ++j) {
-        // Steps of the second deflection at the near corner and at the diagonal; j counts from one step below 0.
-        const std::size_t low = (i + j + 2 * kGrid - 1 - static_cast<std::size_t>(shift_)) % kGrid;
+        // Steps of the second deflection at the near corner and at the diagonal; j counts from one step below
+        // 0.
+        const std::size_t low = (i + j + 2 * kGrid - 1 - shift_) % kGrid;
         const std::size_t high = (low + 1) % kGrid;
         const Complex near = miss(i, j, low);
         if (std::abs(near.real()) + std::abs(near.imag()) > far_m_) continue;
-        add(starts, i, j, low, 1, {near, miss(i + 1, j, low + 1), miss(i, j + 1, low + 1)});
-        add(starts, i + 1, j + 1, high + 1, -1, {miss(i + 1, j + 1, high + 1), miss(i, j + 1, high), miss(i + 1, j, high)});
+        add(starts, {i, j, low, 1}, {near, miss(i + 1, j, low + 1), miss(i, j + 1, low + 1)});
+        add(starts, {i + 1, j + 1, high + 1, -1},
+            {miss(i + 1, j + 1, high + 1), miss(i, j + 1, high), miss(i + 1, j, high)});
       }
     }
     return starts;
@@ -164,8 +173,15 @@ class Grid {
     return third_start_[j] - second_end_[i][second];
   }
 
-  /// The triangle with its right angle at (i, j) and legs of one step in `direction`.
-  void add(std::vector<ThreeSwings>& starts, std::size_t i, std::size_t j, std::size_t second, int direction,
+  /// A triangle by its right angle; its legs of one step go up or down, by `direction`.
+  struct Triangle {
+    std::size_t first;
+    std::size_t third;
+    std::size_t second;
+    int direction;
+  };
+
+  void add(std::vector<ThreeSwings>& starts, const Triangle& at,
            const std::array<Complex, 3>& corners) const {
     const Complex along = corners[1] - corners[0];
     const Complex across = corners[2] - corners[0];
@@ -173,13 +189,15 @@ class Grid {
     const double size = std::abs(scale);
     const double s_size = std::copysign(1.0, -scale) * cross(corners[0], across);
     const double t_size = std::copysign(1.0, -scale) * cross(along, corners[0]);
-    if (!(s_size >= -kSlack * size && t_size >= -kSlack * size && s_size + t_size <= (1 + kSlack) * size)) return;
+    if (!(s_size >= -kSlack * size && t_size >= -kSlack * size && s_size + t_size <= (1 + kSlack) * size))
+      return;
     if (size == 0) return;
     const double s = s_size / size;
     const double t = t_size / size;
-    const double first = between(first_root_[i], first_root_[i + static_cast<std::size_t>(direction)], s);
-    const double third = between(third_root_[j], third_root_[j + static_cast<std::size_t>(direction)], t);
-    starts.push_back({first, kStep * static_cast<double>(second) + direction * kStep * (s + t), third});
+    const auto up = static_cast<std::size_t>(at.direction);  // -1 wraps round to one down
+    const double first = between(first_root_[at.first], first_root_[at.first + up], s);
+    const double third = between(third_root_[at.third], third_root_[at.third + up], t);
+    starts.push_back({first, kStep * (static_cast<double>(at.second) + at.direction * (s + t)), third});
   }
 
   static double between(double root, double next_root, double share) {
@@ -188,10 +206,12 @@ class Grid {
   }
 
   double far_m_ = 0;  // a larger miss does not vanish within the cell
-  int shift_ = 0;
-  std::array<double, kGrid + 1> first_root_;  // of the deflections, signed: a small swing's length is linear in it
+  std::size_t shift_ = 0;
+  std::array<double, kGrid + 1>
+      first_root_;  // of the deflections, signed: a small swing's length is linear in it
   std::array<double, kGrid + 2> third_root_;
-  std::array<std::array<Complex, kGrid + 1>, kGrid + 1> second_end_;  // by the first and the second deflection
+  std::array<std::array<Complex, kGrid + 1>, kGrid + 1>
+      second_end_;  // by the first and the second deflection
   std::array<Complex, kGrid + 2> third_start_;
 };
 

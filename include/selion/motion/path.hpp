@@ -7,8 +7,9 @@
 
 namespace selion {
 
-/// A line, arc or clothoid: curvature grows by `sharpness_per_m2` for every metre of travel. Left is positive.
-/// `heading_rad` is the direction of travel at the start (in reverse gear the vehicle points the other way).
+/// A line, arc or clothoid: curvature grows by `sharpness_per_m2` for every metre of travel. Left is
+/// positive. `heading_rad` is the direction of travel at the start (in reverse gear the vehicle points the
+/// other way).
 struct Curve {
   Point start;
   double heading_rad = 0;
@@ -42,7 +43,8 @@ struct Stretch {
   friend bool operator==(const Stretch&, const Stretch&) = default;
 };
 
-/// Stretches end to end: position, vehicle heading and, but for cusps where the gear changes, curvature are continuous.
+/// Stretches end to end: position, vehicle heading and, but for cusps where the gear changes, curvature are
+/// continuous.
 using Path = std::vector<Stretch>;
 
 double length_m(const Path& path);
@@ -57,7 +59,8 @@ void append(Path& path, const Path& more);
 /// Vehicle poses from start to end, at both ends of every stretch and at most `step_m` apart.
 std::vector<Pose> poses(const Path& path, double step_m);
 
-/// Largest of the gaps between consecutive stretches: metres, radians (vehicle heading), 1/m (cusps left out).
+/// Largest of the gaps between consecutive stretches: metres, radians (vehicle heading), 1/m (cusps left
+/// out).
 struct Gaps {
   double position_m = 0;
   double heading_rad = 0;

@@ -10,8 +10,8 @@
 
 namespace selion {
 
-/// What is driven: a stretch with its cap (on top of the machine's own limits), or a wait where `wait_s` > 0 (the
-/// stretch then has length 0).
+/// What is driven: a stretch with its cap (on top of the machine's own limits), or a wait where `wait_s` > 0
+/// (the stretch then has length 0).
 struct Leg {
   Stretch stretch;
   double speed_cap_mps = 0;
@@ -22,7 +22,7 @@ struct Leg {
 /// A moment of the drive. Between two samples acceleration is constant.
 struct Sample {
   std::size_t leg = 0;
-  double s_m = 0;              ///< along that leg
+  double s_m = 0;  ///< along that leg
   double t_s = 0;
   Point at;
   double heading_rad = 0;      ///< of the vehicle, in (-pi, pi]
@@ -31,11 +31,12 @@ struct Sample {
   bool tool_down = false;      ///< from here to the next sample
 };
 
-/// Fastest drive over the legs within caps, acceleration, braking, lateral acceleration and steering rate, from and to
-/// rest, resting at changes of gear and at waits. A sample stands at every end of a leg, every corner of the speed
-/// profile, every tool change and wait, and at most 0.25 m apart where the curve bends, 100 m on straights.
-/// Times increase strictly (a wait repeats the position). A joint of legs is one sample, of the later leg. Legs below 1e-6 m
-/// take no time and have no sample; corners of the profile within 0.5 ms of each other are one. Linear in legs and length.
+/// Fastest drive over the legs within caps, acceleration, braking, lateral acceleration and steering rate,
+/// from and to rest, resting at changes of gear and at waits. A sample stands at every end of a leg, every
+/// corner of the speed profile, every tool change and wait, and at most 0.25 m apart where the curve bends,
+/// 100 m on straights. Times increase strictly (a wait repeats the position). A joint of legs is one sample,
+/// of the later leg. Legs below 1e-6 m take no time and have no sample; corners of the profile within 0.5 ms
+/// of each other are one. Linear in legs and length.
 /// @pre every leg with a length has a cap above 0.
 std::vector<Sample> drive(std::span<const Leg> legs, const Machine& machine);
 
