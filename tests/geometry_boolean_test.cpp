@@ -18,7 +18,19 @@ TEST_CASE("an inset square keeps its corners sharp", "[geometry]") {
 }
 
 TEST_CASE("an inset splits a field at its waist, largest part first", "[geometry]") {
-  const Polygon waist{{{0, 0}, {10, 0}, {10, 4}, {14, 4}, {14, 0}, {30, 0}, {30, 10}, {14, 10}, {14, 6}, {10, 6}, {10, 10}, {0, 10}}, {}};
+  const Polygon waist{{{0, 0},
+                       {10, 0},
+                       {10, 4},
+                       {14, 4},
+                       {14, 0},
+                       {30, 0},
+                       {30, 10},
+                       {14, 10},
+                       {14, 6},
+                       {10, 6},
+                       {10, 10},
+                       {0, 10}},
+                      {}};
   const Polygons parts = inset({waist}, 1.5);
   REQUIRE(parts.size() == 2);
   CHECK(area_m2(parts[0]) > area_m2(parts[1]));

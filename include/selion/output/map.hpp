@@ -15,10 +15,10 @@ enum class Paper { a4, a3, letter };
 
 /// What the map says beside what the plan file holds.
 struct MapText {
-  std::string title;                 ///< "Home field - seeding"
-  std::vector<std::pair<std::string, std::string>> data;         ///< the data box: label and value, units included
-  std::vector<std::string> assumptions;                          ///< machine assumed, flat ground, boundary accuracy, datum
-  std::vector<std::string> warnings;                             ///< drawn so that nobody overlooks them
+  std::string title;                                      ///< "Home field - seeding"
+  std::vector<std::pair<std::string, std::string>> data;  ///< the data box: label and value, units included
+  std::vector<std::string> assumptions;  ///< machine assumed, flat ground, boundary accuracy, datum
+  std::vector<std::string> warnings;     ///< drawn so that nobody overlooks them
   std::optional<std::string> date;
 };
 

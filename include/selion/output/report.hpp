@@ -8,7 +8,8 @@
 
 namespace selion {
 
-/// report.json: the figures, assumptions, notes and uncovered places of a plan, as docs/report.md describes them.
+/// report.json: the figures, assumptions, notes and uncovered places of a plan, as docs/report.md describes
+/// them.
 std::string report_json(const Plan& plan);
 
 /// What the map of this plan says: title, data box, assumptions and warnings, in the units asked for.
