@@ -53,9 +53,10 @@ std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const
   for (const Swath& pocket : layout.pockets)
     add_both_ways(tracks, terrain, pocket_way(terrain, machine, pocket), false);
   const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
-  for (const Swath& swath : layout.swaths)
-    for (const Path& way : swath_task(terrain, machine, swath, Sense::forth).ways)
-      tracks.push_back(swath_track(terrain, way, near_m));
+  for (const Swath& swath : layout.swaths) {
+    const Task task = swath_task(terrain, machine, swath, Sense::forth);
+    for (const Path& way : task.ways) tracks.push_back(swath_track(terrain, way, near_m));
+  }
   return tracks;
 }
 
