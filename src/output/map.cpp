@@ -44,7 +44,7 @@ void add_keep_outs(std::map<Mark, std::string>& legend, const PlanFile& plan) {
 }
 
 /// The legend if everything in the plan is drawn, in the longest words that it may take.
-std::map<Mark, std::string> longest_legend(const PlanFile& plan, const std::vector<Track>& tracks) {
+std::map<Mark, std::string> longest_legend(const PlanFile& plan, const std::vector<DrawnTrack>& tracks) {
   std::map<Mark, std::string> legend;
   const auto may = [&](Mark mark, bool is) {
     if (is) legend[mark] = style_of(mark).legend;
@@ -57,7 +57,7 @@ std::map<Mark, std::string> longest_legend(const PlanFile& plan, const std::vect
       std::any_of(plan.swaths.begin(), plan.swaths.end(), [](const SwathRecord& s) { return s.order == 0; }));
   may(Mark::cell, plan.cells.size() > 1);
   may(Mark::direction, !tracks.empty());
-  for (const Track& track : tracks)
+  for (const DrawnTrack& track : tracks)
     may(track.mark, track.mark == Mark::turn || track.mark == Mark::transfer || track.mark == Mark::reverse);
   for (const TrajectoryRecord& trajectory : plan.trajectories)
     for (const PieceRecord& piece : trajectory.pieces) may(Mark::pivot, piece.kind == "pivot");

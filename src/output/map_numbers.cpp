@@ -156,7 +156,7 @@ bool place_arrow(MapSheet& sheet, const PageLine& line, const std::vector<double
   return false;
 }
 
-void arrows_along(MapSheet& sheet, const Track& track, double apart_mm, double first_mm) {
+void arrows_along(MapSheet& sheet, const DrawnTrack& track, double apart_mm, double first_mm) {
   const double length = length_mm(track.line);
   const int arrows = static_cast<int>(std::ceil((length - 3 - first_mm) / apart_mm));
   for (int i = 0; i < arrows; ++i) {
@@ -195,7 +195,7 @@ void draw_order(MapSheet& sheet) {
 void draw_directions(MapSheet& sheet) {
   const int step = arrow_step(sheet);
   in_layer(sheet, Mark::direction, [&] {
-    for (const Track& track : sheet.tracks) {
+    for (const DrawnTrack& track : sheet.tracks) {
       const double length = length_mm(track.line);
       const int number = strip_number(track.ref);
       if (track.mark == Mark::swath && number % step == 0 && length > 6)

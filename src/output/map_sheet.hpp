@@ -14,7 +14,7 @@
 namespace selion {
 
 /// A stretch that is driven, as it lies on the page.
-struct Track {
+struct DrawnTrack {
   Mark mark = Mark::turn;  ///< headland_pass, swath, turn, transfer, reverse
   std::string ref;
   PageLine line;  ///< in the direction of travel
@@ -26,7 +26,7 @@ struct MapSheet {
   MapView view;
   const Font& font;
   Units units;
-  std::vector<Track> tracks;
+  std::vector<DrawnTrack> tracks;
   LabelPlacer placer;
   Drawing page;
   std::map<Mark, std::string> drawn;  ///< what is on the map, with its words in the legend
@@ -44,7 +44,7 @@ void in_layer(MapSheet& sheet, Mark mark, Draw draw) {
 }
 
 /// The driven stretches of the plan's trajectories, from their pieces; neighbours of one kind are one line.
-std::vector<Track> tracks_of(const PlanFile& plan, const MapView& view);
+std::vector<DrawnTrack> tracks_of(const PlanFile& plan, const MapView& view);
 
 /// Every how many-th swath is drawn so that lines stay apart on paper. Odd, so that directions still
 /// alternate.

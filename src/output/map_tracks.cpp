@@ -46,7 +46,7 @@ PageLine line_of(const PieceRecord& piece, const MapView& view) {
 std::vector<PageLine> lines_of(const MapSheet& sheet, Mark mark) {
   const double least_mm = is_crowded(sheet.plan, sheet.view) ? 2.5 : 0;
   std::vector<PageLine> lines;
-  for (const Track& track : sheet.tracks)
+  for (const DrawnTrack& track : sheet.tracks)
     if (track.mark == mark && length_mm(track.line) >= least_mm) lines.push_back(thinned(track.line));
   return lines;
 }
@@ -83,9 +83,9 @@ void draw_pivots(MapSheet& sheet) {
 
 }  // namespace
 
-std::vector<Track> tracks_of(const PlanFile& plan, const MapView& view) {
+std::vector<DrawnTrack> tracks_of(const PlanFile& plan, const MapView& view) {
   constexpr double kJoined_mm = 0.01;
-  std::vector<Track> tracks;
+  std::vector<DrawnTrack> tracks;
   for (const TrajectoryRecord& trajectory : plan.trajectories) {
     bool joins = false;
     for (const PieceRecord& piece : trajectory.pieces) {
