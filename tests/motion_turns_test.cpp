@@ -8,6 +8,7 @@
 #include <random>
 
 #include "selion/core/angle.hpp"
+#include "selion/motion/dubins.hpp"
 #include "selion/motion/turns.hpp"
 
 using namespace selion;
@@ -160,6 +161,16 @@ TEST_CASE("any two poses are connected, shortest first, never shorter than Dubin
   }
 }
 
+TEST_CASE("the length of Dubins' curve agrees with another derivation", "[motion][dubins]") {
+  for (const Pair& pair : pairs(5000)) {
+    CAPTURE(pair.from.at.x_m, pair.from.at.y_m, pair.from.heading_rad, pair.to.at.x_m, pair.to.at.y_m,
+            pair.to.heading_rad);
+    REQUIRE(dubins_length_m(pair.from, pair.to, 1 / 0.27) == Approx(dubins_m(pair, 0.27)).epsilon(1e-9));
+  }
+  CHECK(dubins_length_m({{0, 0}, 0.3}, {{0, 0}, 0.3}, 2) == Approx(0).margin(1e-9));
+  CHECK(dubins_length_m({{1, 2}, 0.3}, {Point{1, 2} + 5 * unit(0.3), 0.3}, 2) == Approx(5));
+}
+
 TEST_CASE("mirrored poses give mirrored paths", "[motion][turns]") {
   for (const Pair& pair : pairs(300)) {
     const auto all = lengths(connections(pair.from, pair.to, kPaper));
@@ -257,4 +268,24 @@ TEST_CASE("a turn at lower speed may be sharper", "[motion][swing]") {
   CHECK(limits_at(machine, 1).curvature_per_m == limits_at(machine, 2).curvature_per_m);
   CHECK(limits_at(machine, 1).sharpness_per_m2 ==
         Approx(2 * limits_at(machine, 2).sharpness_per_m2).epsilon(1e-4));
+}
+
+TEST_CASE("near poses are connected by the shortest three swings there are", "[motion][turns]") {
+  // Lengths of the best of 288 Newton runs each, from all over the two free deflections; in all of them an
+  // outer swing is small, where its length goes by the square root of its deflection and roots are missed
+  // most easily.
+  struct Known {
+    CurveLimits limits;
+    Pose goal;
+    double length_m;
+  };
+  for (const Known& known : {Known{kPaper, {{2.9121, 0.0016}, 1.6609}, 25.4264},
+                             {kPaper, {{-1.2585, -0.3001}, -1.1448}, 22.4711},
+                             {{0.556, 0.436}, {{-0.6054, 6.8151}, 1.294}, 10.8954},
+                             {{0.556, 0.436}, {{0.0501, 0.0546}, 1.0031}, 11.5802},
+                             {{0.15, 0.02}, {{24.0986, -12.6025}, 1.4614}, 48.0966},
+                             {{0.15, 0.02}, {{5.5556, 2.9426}, 0.9747}, 49.7211}}) {
+    CAPTURE(known.goal.at.x_m, known.goal.at.y_m);
+    CHECK(length_m(connections({}, known.goal, known.limits).front()) <= known.length_m + 0.005);
+  }
 }
