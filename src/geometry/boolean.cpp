@@ -16,6 +16,7 @@ using ClipperLib::Paths;
 constexpr double kGrid_per_m =
     1e6;  // 1 um: a thousandth of the finest tolerance that anything here is held to
 constexpr double kLeastPart_m2 = 1e-6;  // what rounding to the grid can leave behind
+constexpr std::size_t kUnitedAtOnce = 32;
 constexpr double kArcTolerance_m = 1e-3;
 
 IntPoint to_grid(Point p) {
@@ -100,7 +101,15 @@ Polygons moved_border(const Polygons& areas, double by_m, ClipperLib::JoinType j
 
 }  // namespace
 
-Polygons unite(const Polygons& areas) { return combined(ClipperLib::ctUnion, to_grid(areas), {}); }
+/// Many in halves: Clipper's time grows with the square of what touches.
+Polygons unite(const Polygons& areas) {
+  if (areas.size() <= kUnitedAtOnce) return combined(ClipperLib::ctUnion, to_grid(areas), {});
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  Polygons halves = unite(Polygons(areas.begin(), middle));
+  const Polygons rest = unite(Polygons(middle, areas.end()));
+  halves.insert(halves.end(), rest.begin(), rest.end());
+  return combined(ClipperLib::ctUnion, to_grid(halves), {});
+}
 
 Polygons intersect(const Polygons& a, const Polygons& b) {
   return combined(ClipperLib::ctIntersection, to_grid(a), to_grid(b));

@@ -28,7 +28,7 @@ bool apart(const std::vector<Point>& shape, Point a, Point b) {
 
 }  // namespace
 
-FreeSpace::FreeSpace(const Polygon& area, double reach_m) : area_{area} {
+FreeSpace::FreeSpace(const Polygon& area, double reach_m) : area_{area}, index_{{area}} {
   const auto take = [this](const Ring& ring) {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
       edges_.push_back({ring[j], ring[i]});

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "selion/geometry/polygon.hpp"
+#include "selion/geometry/area_index.hpp"
 
 namespace selion {
 
@@ -15,7 +15,7 @@ class FreeSpace {
   FreeSpace(const Polygon& area, double reach_m);
 
   [[nodiscard]] const Polygon& area() const { return area_; }
-  [[nodiscard]] bool holds(Point p) const { return contains(area_, p); }
+  [[nodiscard]] bool holds(Point p) const { return index_.holds(p); }
   /// Does no part of the border enter the convex `shape` (anticlockwise, two or more corners)? A shape that
   /// touches no border is inside or outside as a whole: that is for the caller to know.
   [[nodiscard]] bool clear(const std::vector<Point>& shape) const;
@@ -37,6 +37,7 @@ class FreeSpace {
   void add(std::uint32_t edge, double reach_m);
 
   Polygon area_;
+  AreaIndex index_;
   std::vector<Edge> edges_;
   Point low_;
   double cell_m_ = 1;
