@@ -19,11 +19,6 @@ double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) 
 
 }  // namespace
 
-bool on_mainland(const Terrain& terrain, Point p) {
-  return std::any_of(terrain.mainland.begin(), terrain.mainland.end(),
-                     [p](const Polygon& area) { return contains(area, p); });
-}
-
 double cost_m(const Terrain& terrain, const Path& path) {
   double cost = 0;
   Gear last = path.empty() ? Gear::forward : path.front().gear;
@@ -32,7 +27,7 @@ double cost_m(const Terrain& terrain, const Path& path) {
     const int steps = std::max(1, static_cast<int>(std::ceil(length / kCostStep_m)));
     int over = 0;
     for (int i = 0; i < steps; ++i)
-      if (on_mainland(terrain, state_at(stretch.curve, length * (i + 0.5) / steps).at)) ++over;
+      if (terrain.mainland.holds(state_at(stretch.curve, length * (i + 0.5) / steps).at)) ++over;
     cost += length * (1 + kOverMainland * over / steps + (stretch.gear == Gear::reverse ? kInReverse : 0));
     if (stretch.gear != last) cost += kGearChange_m;
     last = stretch.gear;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "selion/geometry/boolean.hpp"
+#include "selion/geometry/area_index.hpp"
 #include "selion/motion/footprint.hpp"
 #include "selion/motion/turns.hpp"
 
@@ -16,14 +16,12 @@ struct Terrain {
   Footprint footprint;
   CurveLimits limits;
   bool may_reverse = false;
-  const Polygons& mainland;  ///< not to be driven over where there is another way
+  const AreaIndex& mainland;  ///< not to be driven over where there is another way
 };
 
 constexpr double kOverMainland = 0.5;  ///< extra cost of a metre over the mainland
 constexpr double kInReverse = 1.0;     ///< extra cost of a metre in reverse
 constexpr double kGearChange_m = 6;    ///< what stopping and changing gear is worth
-
-bool on_mainland(const Terrain& terrain, Point p);
 
 /// Cost of a way: its metres, those over the mainland dearer, reversing and changes of gear dearer still.
 double cost_m(const Terrain& terrain, const Path& path);

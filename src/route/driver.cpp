@@ -15,8 +15,9 @@ constexpr double kFarRound = 3;  // a way this many turns long is worth a search
 Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
     : machine_{machine},
       space_{free_space(block.free, footprint_of(machine))},
+      mainland_{layout.mainland},
       terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse,
-               layout.mainland},
+               mainland_},
       roads_{terrain_, tracks_of(layout, machine, terrain_)} {}
 
 /// Beyond this a way is a transfer.

@@ -45,6 +45,7 @@ class Driver {
 
   const Machine& machine_;
   FreeSpace space_;
+  AreaIndex mainland_;
   Terrain terrain_;
   Roads roads_;
   std::optional<Pose> here_;

@@ -3,13 +3,58 @@
 
 #include <algorithm>
 
-namespace selion {
+#include "selion/motion/dubins.hpp"
 
-void Frontier::reach(std::size_t node, const Reached& by, double rest_m) {
-  Reached& known = reached_[node];
-  if (by.cost_m >= known.cost_m) return;
-  known = by;
-  open_.emplace(by.cost_m + rest_m, node);
+namespace selion {
+namespace {
+
+constexpr double kRounding_m = 1e-9;
+
+Path whole(const Link& link, const Path& turn) {
+  Path path;
+  if (link.before) append(path, *link.before);
+  append(path, turn);
+  if (link.after) append(path, *link.after);
+  return path;
+}
+
+}  // namespace
+
+Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, const Pose& end) {
+  Link link;
+  link.to = to;
+  link.start = start;
+  link.end = end;
+  link.least_m = dubins_length_m(start, end, 1 / terrain.limits.curvature_per_m);
+  return link;
+}
+
+void work_out(const Terrain& terrain, Link& link) {
+  if (link.worked_out) return;
+  link.worked_out = true;
+  const auto turn = direct_turn(terrain, link.start, link.end);
+  if (!turn) return;
+  link.path = whole(link, *turn);
+  link.cost_m = cost_m(terrain, link.path);
+}
+
+double Frontier::cost_m(std::size_t node) const {
+  if (node == kStart) return 0;
+  const auto known = reached_.find(node);
+  return known == reached_.end() ? std::numeric_limits<double>::infinity() : known->second.cost_m;
+}
+
+void Frontier::propose(std::size_t from, Link& link, double rest_m) {
+  const double least_m = cost_m(from) + (link.worked_out ? link.cost_m : link.least_m);
+  if (least_m < cost_m(link.to)) open_.push({least_m + rest_m, serial_++, from, &link});
+}
+
+void Frontier::drive(std::size_t from, const Link& link, double rest_m) {
+  const double cost = cost_m(from) + link.cost_m;
+  Reached& known = reached_[link.to];
+  if (cost >= known.cost_m) return;
+  known = {cost, from, &link};
+  open_.push({cost + rest_m, serial_++, link.to, nullptr});
 }
 
 Frontier::Entry Frontier::take() {
@@ -18,14 +63,23 @@ Frontier::Entry Frontier::take() {
   return lowest;
 }
 
-Path Frontier::way_over(std::size_t node, const Path& last) const {
-  std::vector<const Path*> parts{&last};
-  for (std::optional<std::size_t> at = node; at; at = reached_.at(*at).parent)
-    parts.push_back(reached_.at(*at).path);
+bool Frontier::promises(const Entry& entry) const {
+  const Link& link = *entry.link;
+  return cost_m(entry.node) + (link.worked_out ? link.cost_m : link.least_m) < cost_m(link.to);
+}
+
+bool Frontier::outdated(const Entry& entry, double rest_m) const {
+  return cost_m(entry.node) + rest_m < entry.bound_m - kRounding_m;
+}
+
+Path Frontier::way_to(std::size_t node) const {
+  std::vector<const Path*> parts;
+  for (std::size_t at = node; at != kStart; at = reached_.at(at).parent)
+    parts.push_back(&reached_.at(at).by->path);
   std::reverse(parts.begin(), parts.end());
-  Path whole;
-  for (const Path* part : parts) append(whole, *part);
-  return whole;
+  Path way;
+  for (const Path* part : parts) append(way, *part);
+  return way;
 }
 
 }  // namespace selion

@@ -1,38 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
-#include "selion/motion/path.hpp"
+#include "connect.hpp"
 
 namespace selion {
 
-/// What A* has reached so far, the most promising first. The paths reached by must outlive it.
+/// A turn to a node of the road network, worked out only when a search wants to drive it.
+struct Link {
+  std::size_t to = 0;
+  Pose start;
+  Pose end;
+  const Path* before = nullptr;  ///< driven before the turn, or
+  const Path* after = nullptr;   ///< after it; outlives the link
+  double least_m = 0;            ///< it costs no less
+  bool worked_out = false;
+  Path path;                                                ///< empty where there is none
+  double cost_m = std::numeric_limits<double>::infinity();  ///< of all three
+};
+
+/// A link of the least cost that a turn between the poses can have.
+Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, const Pose& end);
+void work_out(const Terrain& terrain, Link& link);
+
+/// What a lazy A* has reached so far and may drive next, the most promising first (edges worked out when they
+/// come up: Cohen, Phillips and Likhachev 2014). The links must outlive it.
 class Frontier {
  public:
-  struct Reached {
-    double cost_m = std::numeric_limits<double>::infinity();
-    std::optional<std::size_t> parent;
-    const Path* path = nullptr;  ///< from the parent
-  };
-  using Entry = std::pair<double, std::size_t>;  ///< lower bound of the cost to the goal, node
+  struct Entry {
+    double bound_m = 0;  ///< the way by it to the goal costs no less
+    std::size_t serial = 0;
+    std::size_t node = 0;  ///< reached, or where `link` starts
+    Link* link = nullptr;  ///< to be tried; none: the node is to be left by all its links
 
-  /// Notes the node where no cheaper way to it is known; `rest_m` is the least that its way on can cost.
-  void reach(std::size_t node, const Reached& by, double rest_m);
+    friend bool operator>(const Entry& a, const Entry& b) {
+      return std::tie(a.bound_m, a.serial) > std::tie(b.bound_m, b.serial);
+    }
+  };
+
+  static constexpr std::size_t kStart = std::numeric_limits<std::size_t>::max();
+
+  /// `rest_m`: the least that the way on from the link's end can cost.
+  void propose(std::size_t from, Link& link, double rest_m);
+  /// Drives the link where it leads to its end more cheaply than known.
+  void drive(std::size_t from, const Link& link, double rest_m);
+
   [[nodiscard]] bool empty() const { return open_.empty(); }
-  /// The entry of the lowest bound; a node comes up again for each time that it was reached.
   Entry take();
-  [[nodiscard]] double cost_m(std::size_t node) const { return reached_.at(node).cost_m; }
-  /// All paths up to the node, then `last`.
-  [[nodiscard]] Path way_over(std::size_t node, const Path& last) const;
+  /// May the proposed link still lead to its end more cheaply than known?
+  [[nodiscard]] bool promises(const Entry& entry) const;
+  /// Has the node been reached more cheaply since?
+  [[nodiscard]] bool outdated(const Entry& entry, double rest_m) const;
+  [[nodiscard]] Path way_to(std::size_t node) const;
 
  private:
+  struct Reached {
+    double cost_m = std::numeric_limits<double>::infinity();
+    std::size_t parent = kStart;
+    const Link* by = nullptr;
+  };
+  [[nodiscard]] double cost_m(std::size_t node) const;
+
+  std::size_t serial_ = 0;
   std::unordered_map<std::size_t, Reached> reached_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };

@@ -63,7 +63,7 @@ bool Guide::open(const Terrain& terrain, Point p) const {
 
 Guide::Ground Guide::ground_at(const Terrain& terrain, Point p) const {
   if (!open(terrain, p)) return Ground::closed;
-  return on_mainland(terrain, p) ? Ground::mainland : Ground::open;
+  return terrain.mainland.holds(p) ? Ground::mainland : Ground::open;
 }
 
 double Guide::dearness(Ground ground) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "connect.hpp"
+#include "frontier.hpp"
 
 namespace selion {
 
@@ -37,8 +37,7 @@ Path turned_round(const Path& path);
 Path part_of(const Path& path, double from_m, double to_m);
 
 /// Headland passes, pocket pieces and swaths as a road network: stations, joined along their line and by
-/// single turns from line to line. A turn between two lines is worked out when it is first asked for, and
-/// kept.
+/// single turns from line to line. A turn is worked out when a search first wants to drive it, and kept.
 class Roads {
  public:
   Roads(const Terrain& terrain, std::vector<Track> tracks);
@@ -53,39 +52,28 @@ class Roads {
     std::size_t track = 0;
     std::size_t station = 0;
   };
-  struct Link {
-    std::size_t to = 0;
-    Path path;
-    double cost_m = 0;
-  };
-  /// A way between a pose and a station.
-  struct Join {
-    Path path;
-    double cost_m = 0;
-  };
-  using Joins = std::map<std::size_t, Join>;
+  using Links = std::vector<Link>;
 
-  [[nodiscard]] const Track::Station& station(std::size_t node) const;
-  [[nodiscard]] std::vector<std::size_t> near(Point p, double radius_m) const;
-  [[nodiscard]] std::vector<std::size_t> likely(const Pose& from, const std::vector<std::size_t>& nodes,
-                                                std::size_t most) const;
-  [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked,
-                                                  std::size_t most) const;
-  const std::vector<Link>& links(std::size_t node);
-  std::optional<Link> along(std::size_t node) const;
-  void keep_cheaper(Joins& joins, std::size_t node, Path path) const;
-  void join_from(Joins& joins, const Pose& pose, const Path& before) const;
-  void join_to(Joins& joins, const Pose& pose, const Path& after) const;
-  [[nodiscard]] Joins starts_from(const Pose& from, const std::vector<Path>& retreats) const;
-  [[nodiscard]] Joins ends_at(const Pose& to) const;
-  std::optional<Path> between(const Joins& starts, const Joins& ends, Point goal);
+  [[nodiscard]] const Pose& pose(std::size_t node) const;
+  [[nodiscard]] std::size_t goal() const { return nodes_.size(); }
+  [[nodiscard]] std::vector<std::size_t> near(Point p) const;
+  [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked) const;
+  [[nodiscard]] std::vector<std::size_t> likely_after(const Pose& from, std::size_t but_track) const;
+  [[nodiscard]] std::vector<std::size_t> likely_before(const Pose& to) const;
+  Links& links(std::size_t node);
+  void add_next(Links& links, std::size_t node) const;
+  [[nodiscard]] Links starts(const Pose& from, const Pose& to, const std::vector<Path>& retreats) const;
+  [[nodiscard]] std::vector<Path> runs_back_into(const Pose& to) const;
+  using Ends = std::unordered_map<std::size_t, Links>;
+  [[nodiscard]] Ends ends(const Pose& to, const std::vector<Path>& runs) const;
+  std::optional<Path> between(Links& starts, Ends& ends, Point goal);
 
   const Terrain& terrain_;
   std::vector<Track> tracks_;
   std::vector<Node> nodes_;
   double reach_m_;
   std::unordered_map<long long, std::vector<std::size_t>> cells_;
-  std::unordered_map<std::size_t, std::vector<Link>> links_;
+  std::unordered_map<std::size_t, Links> links_;
 };
 
 }  // namespace selion

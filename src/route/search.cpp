@@ -130,7 +130,7 @@ void Search::expand(std::size_t node) {
     if (known != best_.end() && nodes_[known->second].cost <= cost) continue;
     Path way = moved_to(pose, move.path);
     if (!stays_inside(terrain_.space, terrain_.footprint, way)) continue;
-    if (on_mainland(terrain_, end.at)) cost += kOverMainland * move.length_m;
+    if (terrain_.mainland.holds(end.at)) cost += kOverMainland * move.length_m;
     nodes_.push_back({end, move.gear, cost, node, std::move(way), false});
     best_[key] = nodes_.size() - 1;
     push(nodes_.size() - 1);
