@@ -76,7 +76,6 @@ struct Area {
       }
     return least;
   }
-  [[nodiscard]] bool holds_nearly(Point p) const { return holds(p) || to_border_m(p) <= kInside_m; }
 };
 
 std::string place(const TrajectoryRecord& t, std::size_t piece) {
@@ -143,23 +142,39 @@ class Check {
     }
   }
 
-  /// Body corners and tool ends every 0.2 m on curves and 2 m on lines, by the block's own area.
+  /// Body corners and tool ends every 0.1 m on curves and 2 m on lines, by the block's own area.
   void inside(const TrajectoryRecord& t) {
     const Area& area = areas_.at(static_cast<std::size_t>(t.block) - 1);
     for (std::size_t i = 0; i < t.pieces.size(); ++i) {
       const PieceRecord& p = t.pieces[i];
-      const double step = p.curvature_per_m == 0 && p.sharpness_per_m2 == 0 ? 2.0 : 0.2;
+      const double step = p.curvature_per_m == 0 && p.sharpness_per_m2 == 0 ? 2.0 : 0.1;
       const int steps = std::max(1, static_cast<int>(std::ceil(p.length_m / step)));
       for (int k = 0; k <= steps; ++k) {
         const State s = state_of(p, p.length_m * k / steps);
         const Pose pose{s.at, s.heading_rad + (p.gear > 0 ? 0 : std::acos(-1.0))};
         if (!area.holds(s.at)) return say(place(t, i) + "the path leaves the field");
-        if (std::any_of(corners_.begin(), corners_.end(),
-                        [&](Point c) { return !area.holds_nearly(placed(pose, c)); }))
-          return say(place(t, i) + "body or tool leaves the field at " + std::to_string(s.at.x_m) + ", " +
-                     std::to_string(s.at.y_m));
+        const double out_m = outside_m(area, pose);
+        if (out_m > kInside_m)
+          return say(place(t, i) + "body or tool is " + std::to_string(out_m) + " m out of the field at " +
+                     std::to_string(s.at.x_m) + ", " + std::to_string(s.at.y_m));
       }
     }
+  }
+
+  /// How far a corner of body or tool lies outside, or a corner of the border inside the body.
+  [[nodiscard]] double outside_m(const Area& area, const Pose& pose) const {
+    double most = 0;
+    for (const Point corner : corners_)
+      if (const Point p = placed(pose, corner); !area.holds(p)) most = std::max(most, area.to_border_m(p));
+    const Point ahead = unit(pose.heading_rad);
+    for (const auto& ring : area.rings)
+      for (const Point p : ring) {
+        const double x = dot(p - pose.at, ahead);
+        const double y = cross(ahead, p - pose.at);
+        most = std::max(most, std::min({machine_.front_m - x, x + machine_.rear_m,
+                                        machine_.body_width_m / 2 - std::abs(y)}));
+      }
+    return most;
   }
 
   void times(const TrajectoryRecord& t) {
@@ -197,9 +212,17 @@ class Check {
         if (p.tool == 1 && p.gear < 0) say("the tool is down in reverse");
       }
     }
-    for (const SwathRecord& swath : plan_.file.swaths)
-      if (driven[{swath.block, swath.id}] != 1)
-        say("swath " + swath.id + " is driven " + std::to_string(driven[{swath.block, swath.id}]) + " times");
+    for (const SwathRecord& swath : plan_.file.swaths) driven_once(driven, swath.block, swath.id);
+    for (const HeadlandPassRecord& pass : plan_.file.headland_passes)
+      driven_once(driven, pass.block, pass.id);
+    for (const auto& [piece, times] : driven) say(piece.second + " is driven, but the plan has no such line");
+  }
+
+  void driven_once(std::map<std::pair<int, std::string>, int>& driven, int block, const std::string& id) {
+    const auto found = driven.find({block, id});
+    if (found == driven.end() || found->second != 1)
+      say(id + " is driven " + std::to_string(found == driven.end() ? 0 : found->second) + " times");
+    if (found != driven.end()) driven.erase(found);
   }
 
   const Plan& plan_;
@@ -209,7 +232,8 @@ class Check {
   std::vector<Point> corners_{
       {machine_.front_m, machine_.body_width_m / 2},     {machine_.front_m, -machine_.body_width_m / 2},
       {-machine_.rear_m, machine_.body_width_m / 2},     {-machine_.rear_m, -machine_.body_width_m / 2},
-      {machine_.tool_x_m, machine_.working_width_m / 2}, {machine_.tool_x_m, -machine_.working_width_m / 2}};
+      {machine_.tool_x_m, machine_.working_width_m / 2}, {machine_.tool_x_m, -machine_.working_width_m / 2},
+      {machine_.tool_x_m, machine_.working_width_m / 4}, {machine_.tool_x_m, -machine_.working_width_m / 4}};
 };
 
 }  // namespace

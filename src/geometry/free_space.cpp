@@ -11,11 +11,20 @@ Box box_of(Point a, Point b) {
   return {{std::min(a.x_m, b.x_m), std::min(a.y_m, b.y_m)}, {std::max(a.x_m, b.x_m), std::max(a.y_m, b.y_m)}};
 }
 
+Box box_of(std::span<const Point> shape) {
+  Box box{shape.front(), shape.front()};
+  for (const Point p : shape) {
+    box.low = {std::min(box.low.x_m, p.x_m), std::min(box.low.y_m, p.y_m)};
+    box.high = {std::max(box.high.x_m, p.x_m), std::max(box.high.y_m, p.y_m)};
+  }
+  return box;
+}
+
 Box grown(Box box, double by_m) { return {box.low - Point{by_m, by_m}, box.high + Point{by_m, by_m}}; }
 
 /// Is all of segment a-b right of (outside) one edge of the shape, or the shape all on one side of the
 /// segment?
-bool apart(const std::vector<Point>& shape, Point a, Point b) {
+bool apart(std::span<const Point> shape, Point a, Point b) {
   for (std::size_t i = 0, j = shape.size() - 1; i < shape.size(); j = i++) {
     const Point along = shape[i] - shape[j];
     if (cross(along, a - shape[j]) <= 0 && cross(along, b - shape[j]) <= 0) return true;
@@ -93,8 +102,8 @@ bool FreeSpace::far_from_border(Point p) const {
   return !near_[index(cell.left, cell.bottom)];
 }
 
-bool FreeSpace::clear(const std::vector<Point>& shape) const {
-  const Cells cells = cells_of(bounds(shape));
+bool FreeSpace::clear(std::span<const Point> shape) const {
+  const Cells cells = cells_of(box_of(shape));
   for (int row = cells.bottom; row <= cells.top; ++row)
     for (int column = cells.left; column <= cells.right; ++column)
       for (const std::uint32_t e : crossing_[index(column, row)])

@@ -80,6 +80,24 @@ bool contains(const Polygon& area, Point p) {
          });
 }
 
+Ring convex_hull(Ring points) {
+  std::sort(points.begin(), points.end(),
+            [](Point a, Point b) { return a.x_m < b.x_m || (a.x_m == b.x_m && a.y_m < b.y_m); });
+  Ring hull;
+  hull.reserve(points.size() + 2);
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t floor = hull.size() + 1;
+    for (const Point p : points) {
+      while (hull.size() > floor && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
 Box bounds(const Ring& ring) {
   const double inf = std::numeric_limits<double>::infinity();
   Box box{{inf, inf}, {-inf, -inf}};

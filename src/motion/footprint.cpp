@@ -2,6 +2,7 @@
 #include "selion/motion/footprint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace selion {
@@ -9,31 +10,78 @@ namespace {
 
 constexpr double kGive_m =
     0.004;  // of the centimetre that "inside" allows; rounding of headland rings takes the rest
-constexpr double kCurveStep_m =
-    0.15;  // a corner of the body strays less than 3 mm from the chord between two checks
+constexpr double kStray_m = 0.002;      // of a corner of the body from the chord between two checks
+constexpr double kLongestStep_m = 0.5;  // between two checks on a curve
 constexpr double kLineStep_m = 8;
 constexpr double kSweepStep_m = 0.25;
 
 bool straight(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
 
-/// The rectangle from x = rear to x = front, `half` to either side, in the frame of `pose`.
-std::vector<Point> rectangle(const Pose& pose, double rear_m, double front_m, double half_m) {
-  return {placed(pose, {rear_m, -half_m}), placed(pose, {front_m, -half_m}), placed(pose, {front_m, half_m}),
-          placed(pose, {rear_m, half_m})};
+using Corners = std::array<Point, 4>;
+
+/// A pose with its direction worked out.
+struct Stand {
+  explicit Stand(const Pose& pose) : at{pose.at}, ahead{unit(pose.heading_rad)} {}
+  [[nodiscard]] Point operator()(double x_m, double y_m) const {
+    return at + x_m * ahead + y_m * left_of(ahead);
+  }
+  Point at;
+  Point ahead;
+};
+
+/// From x = rear to x = front, `half` to either side.
+Corners rectangle(const Stand& stand, double rear_m, double front_m, double half_m) {
+  return {stand(rear_m, -half_m), stand(front_m, -half_m), stand(front_m, half_m), stand(rear_m, half_m)};
 }
 
 /// Body and tool while the vehicle moves straight from `ahead_m` = 0 to `ahead_m` (negative: backwards).
-bool clear_on_line(const FreeSpace& space, const Footprint& f, const Pose& pose, double ahead_m) {
+bool clear_on_line(const FreeSpace& space, const Footprint& f, const Stand& stand, double ahead_m) {
   const double back = std::min(ahead_m, 0.0);
   const double fore = std::max(ahead_m, 0.0);
-  return space.clear(rectangle(pose, -f.rear_m + kGive_m + back, f.front_m - kGive_m + fore,
+  return space.clear(rectangle(stand, -f.rear_m + kGive_m + back, f.front_m - kGive_m + fore,
                                f.half_body_m - kGive_m)) &&
-         space.clear(rectangle(pose, f.tool_x_m - kGive_m + back, f.tool_x_m + kGive_m + fore,
+         space.clear(rectangle(stand, f.tool_x_m - kGive_m + back, f.tool_x_m + kGive_m + fore,
                                f.half_tool_m - kGive_m));
 }
 
-bool clear_at(const FreeSpace& space, const Footprint& f, const Pose& pose) {
-  return space.far_from_border(pose.at) || clear_on_line(space, f, pose, 0);
+bool clear_at(const FreeSpace& space, const Footprint& f, const Stand& stand) {
+  return space.far_from_border(stand.at) || clear_on_line(space, f, stand, 0);
+}
+
+/// What a line across the vehicle at x, `half` to either side, sweeps between two stands close together; its
+/// inner end may go back, then the corners cross over.
+Corners swept_across(const Stand& a, const Stand& b, double x_m, double half_m) {
+  return {a(x_m, -half_m), b(x_m, -half_m), b(x_m, half_m), a(x_m, half_m)};
+}
+
+bool turns_left(const Corners& c) {
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[(i + 1) % 4]) <= 0) return false;
+  return true;
+}
+
+bool clear_across(const FreeSpace& space, const Stand& a, const Stand& b, double x_m, double half_m) {
+  const Corners swept = swept_across(a, b, x_m, half_m);
+  return turns_left(swept) ? space.clear(swept) : space.clear(convex_hull({swept.begin(), swept.end()}));
+}
+
+/// Body and tool at b, and what front, rear and tool sweep from a to b: a spike of the border that enters and
+/// leaves between two stands has to cross one of these.
+bool clear_between(const FreeSpace& space, const Footprint& f, const Stand& a, const Stand& b) {
+  if (space.far_from_border(a.at) && space.far_from_border(b.at)) return true;
+  const double half_body = f.half_body_m - kGive_m;
+  return space.clear(rectangle(b, -f.rear_m + kGive_m, f.front_m - kGive_m, half_body)) &&
+         clear_across(space, a, b, f.tool_x_m, f.half_tool_m - kGive_m) &&
+         clear_across(space, a, b, f.front_m - kGive_m, half_body) &&
+         clear_across(space, a, b, -f.rear_m + kGive_m, half_body);
+}
+
+/// So short that no corner strays from its chord by more than kStray_m: the farthest moves 1 + k r as fast as
+/// the axle, on a circle of 1/k + r.
+double curve_step_m(const Footprint& f, const Curve& curve) {
+  const double k = std::max(std::abs(curve.curvature_per_m),
+                            std::abs(curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m));
+  return std::min(kLongestStep_m, std::sqrt(8 * kStray_m / (k * (1 + k * reach_m(f)))));
 }
 
 /// Nothing near at the start, the middle and the end: with the slack of `free_space` that is nothing near
@@ -44,39 +92,29 @@ bool far_along(const FreeSpace& space, const Pose& pose, double ahead_m) {
          space.far_from_border(pose.at + 2 * step);
 }
 
-bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
+bool clear_along_line(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
   const double length = stretch.curve.length_m;
-  const double step = straight(stretch.curve) ? kLineStep_m : kCurveStep_m;
-  const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / kLineStep_m)));
+  const double ahead = length / steps * static_cast<int>(stretch.gear);
   for (int i = 0; i < steps; ++i) {
     const Pose pose = vehicle_pose(stretch, length * i / steps);
-    if (straight(stretch.curve)) {
-      const double ahead = length / steps * static_cast<int>(stretch.gear);
-      if (far_along(space, pose, ahead)) continue;
-      if (!clear_on_line(space, f, pose, ahead)) return false;
-    } else if (!clear_at(space, f, pose)) {
-      return false;
-    }
+    if (!far_along(space, pose, ahead) && !clear_on_line(space, f, Stand{pose}, ahead)) return false;
   }
-  return clear_at(space, f, vehicle_pose(stretch, length));
+  return true;
 }
 
-/// Convex hull of four points (a quad whose inner end turned back crosses itself).
-Ring hull_of(Ring points) {
-  std::sort(points.begin(), points.end(),
-            [](Point a, Point b) { return a.x_m < b.x_m || (a.x_m == b.x_m && a.y_m < b.y_m); });
-  Ring hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t floor = hull.size() + 1;
-    for (const Point p : points) {
-      while (hull.size() > floor && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
+bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
+  if (straight(stretch.curve)) return clear_along_line(space, f, stretch);
+  const double length = stretch.curve.length_m;
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / curve_step_m(f, stretch.curve))));
+  Stand before{vehicle_pose(stretch, 0)};
+  if (!clear_at(space, f, before)) return false;
+  for (int i = 1; i <= steps; ++i) {
+    const Stand after{vehicle_pose(stretch, length * i / steps)};
+    if (!clear_between(space, f, before, after)) return false;
+    before = after;
   }
-  return hull;
+  return true;
 }
 
 }  // namespace
@@ -101,7 +139,7 @@ bool stays_inside(const FreeSpace& space, const Footprint& footprint, const Path
 }
 
 bool fits(const FreeSpace& space, const Footprint& footprint, const Pose& pose) {
-  return space.holds(pose.at) && clear_on_line(space, footprint, pose, 0);
+  return space.holds(pose.at) && clear_on_line(space, footprint, Stand{pose}, 0);
 }
 
 bool fits(const FreeSpace& space, const Footprint& footprint, const Path& path) {
@@ -114,12 +152,11 @@ std::vector<Ring> swept_by_tool(const Footprint& f, const Path& path) {
     const double length = stretch.curve.length_m;
     const int steps =
         straight(stretch.curve) ? 1 : std::max(1, static_cast<int>(std::ceil(length / kSweepStep_m)));
-    Pose before = vehicle_pose(stretch, 0);
+    Stand before{vehicle_pose(stretch, 0)};
     for (int i = 1; i <= steps; ++i) {
-      const Pose after = vehicle_pose(stretch, length * i / steps);
-      swept.push_back(
-          hull_of({placed(before, {f.tool_x_m, -f.half_tool_m}), placed(after, {f.tool_x_m, -f.half_tool_m}),
-                   placed(after, {f.tool_x_m, f.half_tool_m}), placed(before, {f.tool_x_m, f.half_tool_m})}));
+      const Stand after{vehicle_pose(stretch, length * i / steps)};
+      const Corners corners = swept_across(before, after, f.tool_x_m, f.half_tool_m);
+      swept.push_back(convex_hull({corners.begin(), corners.end()}));
       before = after;
     }
   }

@@ -2,6 +2,7 @@
 #include "guide.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -57,8 +58,8 @@ std::optional<std::size_t> Guide::neighbour(std::size_t cell, Step step) const {
 bool Guide::open(const Terrain& terrain, Point p) const {
   if (terrain.space.far_from_border(p)) return true;
   const double half = std::max(cell_m_ / 2, 0.8 * terrain.footprint.half_body_m);
-  return terrain.space.clear(
-      {p + Point{-half, -half}, p + Point{half, -half}, p + Point{half, half}, p + Point{-half, half}});
+  return terrain.space.clear(std::array{p + Point{-half, -half}, p + Point{half, -half},
+                                        p + Point{half, half}, p + Point{-half, half}});
 }
 
 Guide::Ground Guide::ground_at(const Terrain& terrain, Point p) const {

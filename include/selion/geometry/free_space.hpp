@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "selion/geometry/area_index.hpp"
@@ -18,7 +19,7 @@ class FreeSpace {
   [[nodiscard]] bool holds(Point p) const { return index_.holds(p); }
   /// Does no part of the border enter the convex `shape` (anticlockwise, two or more corners)? A shape that
   /// touches no border is inside or outside as a whole: that is for the caller to know.
-  [[nodiscard]] bool clear(const std::vector<Point>& shape) const;
+  [[nodiscard]] bool clear(std::span<const Point> shape) const;
   /// A quick yes: nothing of the border lies within reach of p.
   [[nodiscard]] bool far_from_border(Point p) const;
 

@@ -30,6 +30,9 @@ Point centroid(const Polygon& area);
 bool contains(const Ring& ring, Point p);
 bool contains(const Polygon& area, Point p);
 
+/// Anticlockwise, without corners on its sides (Andrew 1979).
+Ring convex_hull(Ring points);
+
 struct Box {
   Point low;
   Point high;
