@@ -59,28 +59,45 @@ Polygons worthwhile(const Polygons& areas) {
   return kept;
 }
 
-/// Shares `area` out to the pieces of its free space: each takes what lies within `reach_m` of it, the
-/// earlier first, then whatever is left beside it.
+/// The part of `areas` that holds most of `piece`.
+Polygon around(const Polygon& piece, const Polygons& areas) {
+  const Polygon* most = &piece;
+  double most_m2 = 0;
+  for (const Polygon& area : areas)
+    if (const double shared_m2 = area_m2(intersect({area}, {piece})); shared_m2 > most_m2)
+      most = &area, most_m2 = shared_m2;
+  return *most;
+}
+
+/// Free pieces grown in step with each other over the ground beside the obstacles, until they meet.
+Polygons grown_together(const Polygon& area, const Polygons& free, double reach_m) {
+  constexpr int kSteps = 12;
+  Polygons grown = free;
+  for (int step = 0; step < kSteps; ++step)
+    for (std::size_t i = 0; i < grown.size(); ++i) {
+      Polygons others = grown;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      const Polygons wider = outset({grown[i]}, reach_m / kSteps, 2);
+      grown[i] = around(free[i], intersect(wider, subtract({area}, others)));
+    }
+  return grown;
+}
+
+/// Shares `area` out to the pieces of its free space, all within `reach_m` of one; what lies further goes to
+/// the first that it touches.
 std::vector<Piece> shared_out(const Polygon& area, const Polygons& free, double reach_m) {
-  std::vector<Piece> pieces;
-  Polygons rest{area};
-  for (const Polygon& piece : free) {
-    const Polygons around = outset_round({piece}, reach_m);
-    const Polygons own = intersect(rest, around);
-    if (own.empty()) continue;
-    pieces.push_back({own.front(), piece});
-    rest = subtract(rest, {own.front()});
-  }
-  for (const Polygon& left : rest) {
-    for (Piece& piece : pieces) {
-      Polygons joined = unite({piece.area, left});
+  Polygons shares = grown_together(area, free, reach_m);
+  for (const Polygon& left : subtract({area}, shares)) {
+    for (Polygon& share : shares) {
+      Polygons joined = unite({share, left});
       if (joined.size() != 1) continue;
-      piece.area = std::move(joined.front());
+      share = std::move(joined.front());
       break;
     }
   }
-  for (Piece& piece : pieces) piece.area = tidied(piece.area);
-  std::erase_if(pieces, [](const Piece& piece) { return piece.area.shell.empty(); });
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < free.size(); ++i)
+    if (Polygon tidy = tidied(shares[i]); !tidy.shell.empty()) pieces.push_back({std::move(tidy), free[i]});
   return pieces;
 }
 
