@@ -120,24 +120,3 @@ TEST_CASE("the same field and job give the same bytes", "[plan]") {
   CHECK(to_geojson(once->file) == to_geojson(again->file));
   CHECK(to_geojson(plan_from_geojson(to_geojson(once->file), "test")) == to_geojson(once->file));
 }
-
-TEST_CASE("real fields are planned without a fault, or refused by width", "[plan]") {
-  const std::filesystem::path folder = std::filesystem::path{SELION_SHARED_DIR} / "fields" / "public";
-  if (!std::filesystem::exists(folder)) {
-    WARN("skipped: no shared fields beside this checkout");
-    return;
-  }
-  // the smaller ones: all thirty run in tools/plan_public.sh
-  const auto name = GENERATE("quad_nz", "parallelogram_at", "l_shape_kh", "l_thin_arm_fi", "c_shape_nz",
-                             "t_shape_dk", "sawtooth_fi", "strip_fr", "strip_9m_at", "tiny_quad_vn",
-                             "tiny_arrow_pt", "ponds_dk", "y_shape_za");
-  CAPTURE(name);
-  const auto planned =
-      plan(read_one(folder / (std::string{name} + ".geojson")), Job{}, Repair::notes_only, no_progress);
-  if (!planned) {
-    CHECK(planned.error().reason.find("wide at its widest place") != std::string::npos);
-    return;
-  }
-  CHECK(covered(*planned) >= 0.9 * area(*planned));
-  CHECK(joined(faults_of(*planned, Machine{})) == "");
-}

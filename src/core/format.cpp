@@ -28,4 +28,11 @@ std::string fixed(double value, int decimals) {
   return out;
 }
 
+std::string letters_of(std::size_t index) {
+  std::string out;
+  for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26)
+    out.insert(out.begin(), static_cast<char>('a' + (rest - 1) % 26));
+  return out;
+}
+
 }  // namespace selion

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "parts.hpp"
+#include "selion/core/format.hpp"
 
 namespace selion {
 namespace {
@@ -93,14 +94,6 @@ std::string strip_name(int number) {
   return number >= 1 ? std::to_string(number) : "L" + std::to_string(1 - number);
 }
 
-/// a, b, ..., z, aa, ab, ...
-std::string letters(std::size_t index) {
-  std::string out;
-  for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26)
-    out.insert(out.begin(), static_cast<char>('a' + (rest - 1) % 26));
-  return out;
-}
-
 /// Shortens the piece until the machine fits at both of its ends, driven either way.
 std::optional<Swath> trimmed(const Ground& ground, Swath piece) {
   for (int round = 0; round < 40; ++round) {
@@ -168,7 +161,7 @@ std::vector<Swath> pieces_on(const Ground& ground, const Axes& axes, const Strip
         pieces.push_back(*piece);
   }
   for (std::size_t k = 0; k < pieces.size(); ++k)
-    pieces[k].id = strip_name(row.number) + (pieces.size() > 1 ? letters(k) : "");
+    pieces[k].id = strip_name(row.number) + (pieces.size() > 1 ? letters_of(k) : "");
   return pieces;
 }
 

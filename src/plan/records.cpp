@@ -99,21 +99,25 @@ void add_swaths(PlanFile& file, const PlannedBlock& planned, const LocalFrame& f
   for (const Swath& pocket : planned.layout.pockets) add(pocket, "");
 }
 
+/// Of the pass "H3", or of its part "H3b".
+int ring_of(const Layout& layout, const std::string& id) {
+  const std::string pass = id.substr(0, id.find_last_of("0123456789") + 1);
+  const auto laid = std::find_if(layout.headland_passes.begin(), layout.headland_passes.end(),
+                                 [&pass](const HeadlandPass& p) { return p.id == pass; });
+  return laid == layout.headland_passes.end() ? 0 : laid->ring;
+}
+
 void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame& frame,
                   const Machine& machine) {
   HeadlandRecord band{planned.block.number, {}, planned.layout.headland_depth_m, planned.layout.passes};
   for (const Polygon& part : planned.layout.headland) band.parts.push_back(to_lonlat(frame, part));
   if (!band.parts.empty()) file.headlands.push_back(std::move(band));
-  for (const HeadlandPass& pass : planned.layout.headland_passes) {
-    const auto driven = std::find_if(planned.route.pieces.begin(), planned.route.pieces.end(),
-                                     [&pass](const RoutePiece& piece) {
-                                       return piece.kind == PieceKind::headland_pass && piece.ref == pass.id;
-                                     });
-    if (driven == planned.route.pieces.end()) continue;
+  for (const RoutePiece& piece : planned.route.pieces) {
+    if (piece.kind != PieceKind::headland_pass) continue;
     std::vector<Point> line;
-    for (const Pose& pose : poses(driven->path, 2)) line.push_back(pose.at);
-    file.headland_passes.push_back(
-        {planned.block.number, pass.id, pass.ring, to_lonlat(frame, line), machine.working_width_m});
+    for (const Pose& pose : poses(piece.path, 2)) line.push_back(pose.at);
+    file.headland_passes.push_back({planned.block.number, piece.ref, ring_of(planned.layout, piece.ref),
+                                    to_lonlat(frame, line), machine.working_width_m});
   }
 }
 

@@ -12,9 +12,9 @@ constexpr double kRounding_m = 1e-9;
 
 Path whole(const Link& link, const Path& turn) {
   Path path;
-  if (link.before) append(path, *link.before);
+  if (link.before != nullptr) append(path, *link.before);
   append(path, turn);
-  if (link.after) append(path, *link.after);
+  if (link.after != nullptr) append(path, *link.after);
   return path;
 }
 

@@ -98,7 +98,7 @@ void Roads::add_next(Links& links, std::size_t node) const {
   const bool last = here + 1 == track.stations.size();
   const std::size_t next = last ? node - here : node + 1;
   if ((last && !track.closed) || next == node) return;
-  Link link{next, pose(node), pose(next)};
+  Link link = link_between(terrain_, next, pose(node), pose(next));
   link.path = part_of(track.path, track.stations[here].s_m, track.stations[nodes_[next].station].s_m);
   link.cost_m = cost_m(terrain_, link.path);
   link.worked_out = true;
@@ -120,7 +120,7 @@ Roads::Links Roads::starts(const Pose& from, const Pose& to, const std::vector<P
   const auto add = [&](std::size_t node, const Pose& at, const Pose& next, const Path* retreat) {
     Link link = link_between(terrain_, node, at, next);
     link.before = retreat;
-    if (retreat) link.least_m += cost_m(terrain_, *retreat);
+    if (retreat != nullptr) link.least_m += cost_m(terrain_, *retreat);
     starts.push_back(std::move(link));
   };
   for (const std::size_t node : likely_after(from, kNoTrack)) add(node, from, pose(node), nullptr);
@@ -135,8 +135,10 @@ Roads::Links Roads::starts(const Pose& from, const Pose& to, const std::vector<P
 std::vector<Path> Roads::runs_back_into(const Pose& to) const {
   std::vector<Path> runs;
   if (!terrain_.may_reverse) return runs;
-  for (double ahead_m = 1 / terrain_.limits.curvature_per_m; ahead_m < kFarthestBeyond_m; ahead_m *= 2) {
+  double ahead_m = 1 / terrain_.limits.curvature_per_m;
+  while (ahead_m < kFarthestBeyond_m) {
     const Point beyond = to.at + ahead_m * unit(to.heading_rad);
+    ahead_m *= 2;
     Path run{{line(beyond, to.at), Gear::reverse}};
     if (!fits(terrain_.space, terrain_.footprint, run)) break;
     runs.push_back(std::move(run));
@@ -150,7 +152,7 @@ Roads::Ends Roads::ends(const Pose& to, const std::vector<Path>& runs) const {
     for (const std::size_t node : likely_before(end)) {
       Link link = link_between(terrain_, goal(), pose(node), end);
       link.after = run;
-      if (run) link.least_m += cost_m(terrain_, *run);
+      if (run != nullptr) link.least_m += cost_m(terrain_, *run);
       ends[node].push_back(std::move(link));
     }
   };
@@ -167,28 +169,35 @@ std::optional<Path> Roads::way(const Pose& from, const Pose& to, const std::vect
   return between(out, in, to.at);
 }
 
+/// Works out a proposed link and drives it, or leaves a node by all its links.
+void Roads::expand(Frontier& frontier, const Frontier::Entry& next, Ends& ends, Point to) {
+  const auto propose = [&](Links& links) {
+    for (Link& link : links) frontier.propose(next.node, link, rest_m(link.to, to));
+  };
+  if (next.link != nullptr) {
+    if (!frontier.promises(next)) return;
+    work_out(terrain_, *next.link);
+    frontier.drive(next.node, *next.link, rest_m(next.link->to, to));
+  } else if (!frontier.outdated(next, rest_m(next.node, to))) {
+    propose(links(next.node));
+    if (const auto end = ends.find(next.node); end != ends.end()) propose(end->second);
+  }
+}
+
 /// A* with the distance as the crow flies.
 std::optional<Path> Roads::between(Links& starts, Ends& ends, Point to) {
-  const auto rest_m = [&](std::size_t node) { return node == goal() ? 0 : distance_m(pose(node).at, to); };
   Frontier frontier;
-  const auto propose = [&](std::size_t from, Links& links) {
-    for (Link& link : links) frontier.propose(from, link, rest_m(link.to));
-  };
-  propose(Frontier::kStart, starts);
+  for (Link& link : starts) frontier.propose(Frontier::kStart, link, rest_m(link.to, to));
   for (std::size_t visited = 0; !frontier.empty() && visited < kMostVisited; ++visited) {
     const Frontier::Entry next = frontier.take();
-    if (next.link) {
-      if (!frontier.promises(next)) continue;
-      work_out(terrain_, *next.link);
-      frontier.drive(next.node, *next.link, rest_m(next.link->to));
-    } else if (next.node == goal()) {
-      return frontier.way_to(goal());
-    } else if (!frontier.outdated(next, rest_m(next.node))) {
-      propose(next.node, links(next.node));
-      if (const auto end = ends.find(next.node); end != ends.end()) propose(next.node, end->second);
-    }
+    if (next.link == nullptr && next.node == goal()) return frontier.way_to(goal());
+    expand(frontier, next, ends, to);
   }
   return std::nullopt;
+}
+
+double Roads::rest_m(std::size_t node, Point to) const {
+  return node == goal() ? 0 : distance_m(pose(node).at, to);
 }
 
 }  // namespace selion

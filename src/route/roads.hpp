@@ -66,7 +66,9 @@ class Roads {
   [[nodiscard]] std::vector<Path> runs_back_into(const Pose& to) const;
   using Ends = std::unordered_map<std::size_t, Links>;
   [[nodiscard]] Ends ends(const Pose& to, const std::vector<Path>& runs) const;
-  std::optional<Path> between(Links& starts, Ends& ends, Point goal);
+  void expand(Frontier& frontier, const Frontier::Entry& next, Ends& ends, Point to);
+  [[nodiscard]] double rest_m(std::size_t node, Point to) const;
+  std::optional<Path> between(Links& starts, Ends& ends, Point to);
 
   const Terrain& terrain_;
   std::vector<Track> tracks_;

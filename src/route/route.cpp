@@ -2,6 +2,7 @@
 #include "selion/route/route.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 #include "driver.hpp"
@@ -63,6 +64,17 @@ bool works_a_swath(const std::vector<RoutePiece>& pieces) {
                      [](const RoutePiece& piece) { return piece.kind == PieceKind::swath; });
 }
 
+/// The parts of a headland pass that was split: H1a, H1b, ... in driving order, those left out last.
+void name_parts(Route& route) {
+  std::map<std::string, std::vector<std::string*>> parts;
+  for (RoutePiece& piece : route.pieces)
+    if (piece.kind == PieceKind::headland_pass) parts[piece.ref].push_back(&piece.ref);
+  for (std::string& id : route.left_out)
+    if (id.front() == 'H') parts[id].push_back(&id);
+  for (auto& [pass, ids] : parts)
+    for (std::size_t i = 0; ids.size() > 1 && i < ids.size(); ++i) *ids[i] += letters_of(i);
+}
+
 }  // namespace
 
 Result<Route> route(const Block& block, const Layout& layout, const Machine& machine,
@@ -78,7 +90,9 @@ Result<Route> route(const Block& block, const Layout& layout, const Machine& mac
   if (!works_a_swath(driver.driven()))
     return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
   if (gate != nullptr) leave(driver, *gate, notes);
-  return Route{driver.driven(), work.left(), std::move(notes)};
+  Route route{driver.driven(), work.left(), std::move(notes)};
+  name_parts(route);
+  return route;
 }
 
 }  // namespace selion

@@ -97,16 +97,15 @@ void Work::work_nearest(std::vector<Task> tasks) {
   move_to_end(put_off_, tasks);  // cut off from here
 }
 
-/// A long open pass that cannot be reached at its ends may be begun in its middle: two passes instead of one.
-bool Work::split(const Task& task, std::vector<Task>& into) {
+/// A long open pass that cannot be reached at its ends may be begun in its middle: two tasks of its id
+/// instead of one.
+bool Work::split(const Task& task, std::vector<Task>& into) const {
   const auto middle_m = split_place_m(task, driver_.machine().working_width_m);
   if (!middle_m) return false;
   const Path& whole = task.ways.front();
-  const std::string pass = task.id.substr(0, task.id.find('.'));
   for (const auto& [from_m, to_m] : {std::pair{0.0, *middle_m}, std::pair{*middle_m, length_m(whole)}})
-    into.push_back(open_pass_task(driver_.terrain(), driver_.machine(),
-                                  pass + "." + std::to_string(++parts_of_[pass]),
-                                  part_of(whole, from_m, to_m)));
+    into.push_back(
+        open_pass_task(driver_.terrain(), driver_.machine(), task.id, part_of(whole, from_m, to_m)));
   return true;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -41,7 +40,7 @@ class Work {
   void work_chain(const Chain& chain, Sense sense);
   [[nodiscard]] double nearness_m(const Task& task) const;
   void work_nearest(std::vector<Task> tasks);
-  bool split(const Task& task, std::vector<Task>& into);
+  [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
   void work_rings(const std::vector<const HeadlandPass*>& order);
   void work_ring(std::vector<const HeadlandPass*> passes);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
@@ -49,7 +48,6 @@ class Work {
   Driver& driver_;
   const Layout& layout_;
   std::vector<Task> put_off_;
-  std::map<std::string, int> parts_of_;  // how many parts an open pass was split into
 };
 
 }  // namespace selion

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace selion {
@@ -12,5 +13,8 @@ std::string fixed(double value, int decimals);
 
 /// The same, written at the end of `out`: for files of many numbers.
 void append_fixed(std::string& out, double value, int decimals);
+
+/// 0, 1, ... as a, b, ..., z, aa, ab, ...: the pieces of one strip or pass.
+std::string letters_of(std::size_t index);
 
 }  // namespace selion

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "plan_check.hpp"
+#include "selion/field/read.hpp"
+#include "selion/plan/plan.hpp"
+
+using namespace selion;
+
+namespace {
+
+const std::filesystem::path kPublic = std::filesystem::path{SELION_SHARED_DIR} / "fields" / "public";
+
+bool skipped() {
+  if (std::filesystem::exists(kPublic)) return false;
+  WARN("skipped: no shared fields beside this checkout");
+  return true;
+}
+
+struct Tally {
+  int planned = 0;
+  int partial = 0;
+  int refused = 0;
+};
+
+/// Plans one field with the 3 m robot, tells what came of it and checks it.
+void check(const Field& field, Tally& tally) {
+  CAPTURE(field.name);
+  const auto planned = plan(field, Job{}, Repair::notes_only, no_progress);
+  if (!planned) {
+    ++tally.refused;
+    INFO(planned.error().reason);
+    CHECK(planned.error().reason.find(" m ") != std::string::npos);  // a measure: needed, and there is
+    return;
+  }
+  double covered_m2 = 0;
+  double area_m2 = 0;
+  for (const BlockReport& block : planned->blocks) {
+    covered_m2 += block.covered_m2;
+    area_m2 += block.area_m2;
+  }
+  ++(covered_m2 >= 0.9 * area_m2 ? tally.planned : tally.partial);
+  std::printf("%-40s %10.0f m2 %6.2f %% covered\n", field.name.c_str(), area_m2, 100 * covered_m2 / area_m2);
+  std::string faults;
+  for (const std::string& fault : faults_of(*planned, Machine{})) faults += fault + "\n";
+  CHECK(faults.empty());
+  if (!faults.empty()) std::printf("%s", faults.c_str());
+}
+
+Tally check_all(const std::filesystem::path& file) {
+  std::istringstream nothing;
+  Tally tally;
+  for (const Field& field : read_fields(file, {}, nothing)) check(field, tally);
+  std::printf("%s: %d planned, %d partly, %d refused\n", file.filename().c_str(), tally.planned,
+              tally.partial, tally.refused);
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("small real fields are planned without a fault, or refused by width", "[plan]") {
+  if (skipped()) return;
+  const auto name = GENERATE("quad_nz", "parallelogram_at", "l_shape_kh", "l_thin_arm_fi", "c_shape_nz",
+                             "t_shape_dk", "sawtooth_fi", "strip_fr", "strip_9m_at", "tiny_quad_vn",
+                             "tiny_arrow_pt", "ponds_dk", "y_shape_za");
+  CHECK(check_all(kPublic / (std::string{name} + ".geojson")).partial == 0);
+}
+
+TEST_CASE("of thirty public fields at least 27 are planned, none with a fault", "[.public]") {
+  if (skipped()) return;
+  const Tally tally = check_all(kPublic / "_all_public.geojson");
+  CHECK(tally.planned >= 27);
+  CHECK(tally.partial == 0);
+  CHECK(tally.planned + tally.refused == 30);
+}
+
+TEST_CASE("authorities' own files are planned field by field without a fault", "[.public]") {
+  if (skipped()) return;
+  const std::filesystem::path file = kPublic / "original" /
+                                     GENERATE("se_2023_shapefile/arslager_skiftePolygon.shp",
+                                              "nl_brp2023_100.gpkg", "de_sh_feldbloecke_100_epsg4647.gpkg");
+  CHECK(check_all(file).planned > 0);
+}
