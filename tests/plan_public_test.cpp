@@ -70,7 +70,7 @@ TEST_CASE("small real fields are planned without a fault, or refused by width", 
   CHECK(check_all(kPublic / (std::string{name} + ".geojson")).partial == 0);
 }
 
-TEST_CASE("of thirty public fields at least 27 are planned, none with a fault", "[.public]") {
+TEST_CASE("of thirty public fields at least 27 are planned, none with a fault", "[public]") {
   if (skipped()) return;
   const Tally tally = check_all(kPublic / "_all_public.geojson");
   CHECK(tally.planned >= 27);
@@ -78,7 +78,7 @@ TEST_CASE("of thirty public fields at least 27 are planned, none with a fault", 
   CHECK(tally.planned + tally.refused == 30);
 }
 
-TEST_CASE("authorities' own files are planned field by field without a fault", "[.public]") {
+TEST_CASE("authorities' own files are planned field by field without a fault", "[public]") {
   if (skipped()) return;
   const std::filesystem::path file = kPublic / "original" /
                                      GENERATE("se_2023_shapefile/arslager_skiftePolygon.shp",
