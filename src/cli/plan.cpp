@@ -103,7 +103,9 @@ std::optional<std::string> date_of(const std::string& text) {
 }
 
 /// Says on standard error what belongs to one field.
-void tell_field(Terminal& terminal, const Task& task, const Outcome& outcome) {
+/// `assumed`: what was told already, for it is the same of most fields of a file.
+void tell_field(Terminal& terminal, const Task& task, const Outcome& outcome,
+                std::set<std::string>& assumed) {
   const std::string before = task.field.name + ": ";
   if (!outcome.plan) return terminal.error(before + outcome.trouble);
   const Plan& plan = *outcome.plan;
@@ -111,7 +113,8 @@ void tell_field(Terminal& terminal, const Task& task, const Outcome& outcome) {
     if (std::ranges::count(plan.notes, note) + std::ranges::count(plan.file.warnings, note) == 0)
       terminal.note(before + note);
   for (const std::string& note : plan.notes) terminal.note(before + note);
-  for (const std::string& assumption : plan.assumptions) terminal.note(before + assumption);
+  for (const std::string& assumption : plan.assumptions)
+    if (assumed.insert(assumption).second) terminal.note(assumption);
   for (const std::string& warning : plan.file.warnings) terminal.warning(before + warning);
   if (!outcome.trouble.empty()) terminal.error(before + outcome.trouble);
 }
@@ -187,8 +190,9 @@ int run_plan(const PlanOptions& options) {
 
   Results results{options, settings.job, several};
   terminal.result(results.start());
+  std::set<std::string> assumed;
   const auto tell = [&](const Task& task, const Outcome& outcome) {
-    tell_field(terminal, task, outcome);
+    tell_field(terminal, task, outcome, assumed);
     terminal.result(results.next(task, outcome));
   };
   const int planned = plan_fields(tasks, settings, threads, terminal, tell);

@@ -44,8 +44,9 @@ void assume(Plan& plan, const Field& field, const Job& job) {
                         "edge margin of "} +
                 fixed(job.field.edge_margin_m, 2) + " m.");
   say("Datum of the boundary: " + (field.datum.empty() ? std::string{"WGS 84"} : field.datum) +
-      (field.datum_accuracy_m ? ", converted to WGS 84 within " + fixed(*field.datum_accuracy_m, 2) + " m"
-                              : std::string{}) +
+      (field.datum_accuracy_m.value_or(0) > 0
+           ? ", converted to WGS 84 within " + fixed(*field.datum_accuracy_m, 2) + " m"
+           : std::string{}) +
       ". The machine's corrections must use the same datum.");
 }
 
