@@ -30,18 +30,6 @@ std::string joined(const std::vector<std::string>& lines) {
   return out;
 }
 
-double covered(const Plan& plan) {
-  double sum = 0;
-  for (const BlockReport& block : plan.blocks) sum += block.covered_m2;
-  return sum;
-}
-
-double area(const Plan& plan) {
-  double sum = 0;
-  for (const BlockReport& block : plan.blocks) sum += block.area_m2;
-  return sum;
-}
-
 }  // namespace
 
 TEST_CASE("the paper's fields are covered to 99 % with little worked twice", "[plan]") {

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "roads.hpp"
 
 namespace selion {
 namespace {
@@ -42,15 +39,6 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Pose& from, const 
     if (stays_inside(terrain.space, terrain.footprint, turn)) return std::move(turn);
   }
   return std::nullopt;
-}
-
-std::optional<Path> connect(const Terrain& terrain, Roads& roads, const Pose& from, const Pose& to) {
-  const double near_m = 8 / terrain.limits.curvature_per_m + 4 * terrain.footprint.half_tool_m;
-  std::optional<Path> best = direct_turn(terrain, from, to);
-  if (best && length_m(*best) <= 3 * near_m && distance_m(from.at, to.at) <= near_m) return best;
-  double least = best ? cost_m(terrain, *best) : std::numeric_limits<double>::infinity();
-  if (auto round = roads.way(from, to, {}); round && cost_m(terrain, *round) < least) best = std::move(round);
-  return best ? best : searched(terrain, from, to);
 }
 
 }  // namespace selion

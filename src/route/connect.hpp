@@ -29,13 +29,19 @@ double cost_m(const Terrain& terrain, const Path& path);
 /// One turn, the shortest that stays inside; absent where none of a turn's length does.
 std::optional<Path> direct_turn(const Terrain& terrain, const Pose& from, const Pose& to);
 
-/// A way found by searching the ground itself, step by step: for narrow places. Dear; absent where none was
-/// found.
-std::optional<Path> searched(const Terrain& terrain, const Pose& from, const Pose& to);
+/// A way to one of several goals.
+struct Arrival {
+  std::size_t goal = 0;  ///< which of them
+  Path way;
+};
 
-class Roads;
-/// A drivable way, curvature 0 at both ends, inside all along: one turn where that is short, else the cheaper
-/// of a turn and the roads, else searched. Absent where none was found.
-std::optional<Path> connect(const Terrain& terrain, Roads& roads, const Pose& from, const Pose& to);
+struct Found {
+  std::size_t departure = 0;  ///< from which place
+  Arrival arrival;
+};
+/// A way found by searching the ground itself, step by step: for narrow places. Dear; absent where none was
+/// found. @pre at least one place to begin; the first says where to look.
+std::optional<Found> searched(const Terrain& terrain, const std::vector<Pose>& from,
+                              const std::vector<Pose>& goals);
 
 }  // namespace selion

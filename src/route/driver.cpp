@@ -2,12 +2,12 @@
 #include "driver.hpp"
 
 #include "retreats.hpp"
+#include "selion/motion/dubins.hpp"
 
 namespace selion {
 namespace {
 
-constexpr std::size_t kRoadWays = 4;  // ways into a piece of work that the roads are asked for
-constexpr std::size_t kSearchedWays = 2;
+constexpr double kNoBetter_m = 1e-6;
 constexpr double kFarRound = 3;  // a way this many turns long is worth a search for a shorter one
 
 }  // namespace
@@ -42,28 +42,37 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
   here_ = end_pose(work);
 }
 
-void Driver::consider(std::optional<Approach>& best, const Path& work, std::optional<Path> way) const {
-  if (!way) return;
-  const double cost = cost_m(terrain_, *way);
-  if (!best || cost < best->cost_m - 1e-6) best = Approach{&work, std::move(*way), cost};
+/// The cheapest single turn.
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals) const {
+  std::optional<Approach> best;
+  const double radius_m = 1 / terrain_.limits.curvature_per_m;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (best && dubins_length_m(*here_, goals[i], radius_m) >= best->cost_m) continue;
+    auto turn = direct_turn(terrain_, *here_, goals[i]);
+    if (!turn) continue;
+    const double cost = cost_m(terrain_, *turn);
+    if (!best || cost < best->cost_m - kNoBetter_m) best = Approach{i, std::move(*turn), cost};
+  }
+  return best;
 }
 
-/// The cheapest of the task's ways: by one turn each; where that is a long one, by the roads; where these
-/// lead far round or nowhere, by searching.
-std::optional<Driver::Approach> Driver::approach(const Task& task) {
-  std::optional<Approach> best;
-  const auto each = [&](std::size_t most, const auto& way_to) {
-    for (std::size_t i = 0; i < task.ways.size() && i < most; ++i)
-      consider(best, task.ways[i], way_to(before(task.ways[i])));
+std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const {
+  if (!arrival) return std::nullopt;
+  const double cost = cost_m(terrain_, arrival->way);
+  return Approach{arrival->goal, std::move(arrival->way), cost};
+}
+
+/// The cheapest of: one turn; where that is a long one, the roads; where these lead far round or nowhere, a
+/// search.
+std::optional<Driver::Approach> Driver::approach(const std::vector<Pose>& goals) {
+  std::optional<Approach> best = turn_into(goals);
+  const auto keep_cheaper = [&best](std::optional<Approach> other) {
+    if (other && (!best || other->cost_m < best->cost_m - kNoBetter_m)) best = std::move(other);
   };
-  each(task.ways.size(), [this](const Pose& goal) { return direct_turn(terrain_, *here_, goal); });
-  if (!best || best->cost_m > longest_turn_m()) {
-    const std::vector<Path> back = ways_back();
-    each(kRoadWays, [&](const Pose& goal) { return roads_.way(*here_, goal, back); });
-  }
-  const bool close = far_m(here_, before(task.ways.front())) < longest_turn_m();
-  if (!best || (close && best->cost_m > kFarRound * longest_turn_m()))
-    each(kSearchedWays, [this](const Pose& goal) { return searched(terrain_, *here_, goal); });
+  if (!best || best->cost_m > longest_turn_m()) keep_cheaper(by(roads_.way(*here_, goals, ways_back())));
+  const bool close = far_m(here_, goals.front()) < longest_turn_m();
+  if (best && close && best->cost_m > kFarRound * longest_turn_m())
+    if (auto found = searched(terrain_, {*here_}, goals)) keep_cheaper(by(std::move(found->arrival)));
   return best;
 }
 
@@ -73,19 +82,21 @@ bool Driver::drive_to(const Task& task) {
     work(task, {}, task.ways.front());
     return true;
   }
-  std::optional<Approach> best = approach(task);
+  std::vector<Pose> goals;
+  for (const Path& way : task.ways) goals.push_back(before(way));
+  std::optional<Approach> best = approach(goals);
   if (!best) return false;
+  const Path& chosen = task.ways[best->goal];
   if (machine_.run_in_m > 0)
-    best->way.push_back({line(before(*best->work).at, start_pose(*best->work).at), Gear::forward});
-  work(task, best->way, *best->work);
+    best->way.push_back({line(goals[best->goal].at, start_pose(chosen).at), Gear::forward});
+  work(task, best->way, chosen);
   return true;
 }
 
 bool Driver::drive_out_to(const Pose& goal) {
-  auto way = connect(terrain_, roads_, *here_, goal);
-  if (!way) way = roads_.way(*here_, goal, ways_back());
-  if (!way) return false;
-  driven_.push_back({PieceKind::transfer, "", std::move(*way)});
+  std::optional<Approach> best = approach({goal});
+  if (!best) return false;
+  driven_.push_back({PieceKind::transfer, "", std::move(best->way)});
   here_ = goal;
   return true;
 }

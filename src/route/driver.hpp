@@ -31,13 +31,14 @@ class Driver {
 
  private:
   struct Approach {
-    const Path* work;
+    std::size_t goal = 0;  ///< which of the goals
     Path way;
-    double cost_m;
+    double cost_m = 0;
   };
 
-  [[nodiscard]] std::optional<Approach> approach(const Task& task);
-  void consider(std::optional<Approach>& best, const Path& work, std::optional<Path> way) const;
+  [[nodiscard]] std::optional<Approach> approach(const std::vector<Pose>& goals);
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals) const;
+  [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   void work(const Task& task, const Path& way, const Path& work);
   [[nodiscard]] std::vector<Path> ways_back() const;
   [[nodiscard]] Pose before(const Path& work) const;

@@ -51,9 +51,8 @@ void Frontier::propose(std::size_t from, Link& link, double rest_m) {
 
 void Frontier::drive(std::size_t from, const Link& link, double rest_m) {
   const double cost = cost_m(from) + link.cost_m;
-  Reached& known = reached_[link.to];
-  if (cost >= known.cost_m) return;
-  known = {cost, from, &link};
+  if (cost >= cost_m(link.to)) return;
+  reached_[link.to] = {cost, from, &link};
   open_.push({cost + rest_m, serial_++, link.to, nullptr});
 }
 
@@ -80,6 +79,13 @@ Path Frontier::way_to(std::size_t node) const {
   Path way;
   for (const Path* part : parts) append(way, *part);
   return way;
+}
+
+std::vector<std::size_t> Frontier::reached() const {
+  std::vector<std::size_t> nodes;
+  for (const auto& [node, how] : reached_) nodes.push_back(node);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
 }
 
 }  // namespace selion

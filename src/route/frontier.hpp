@@ -60,6 +60,8 @@ class Frontier {
   /// Has the node been reached more cheaply since?
   [[nodiscard]] bool outdated(const Entry& entry, double rest_m) const;
   [[nodiscard]] Path way_to(std::size_t node) const;
+  /// All nodes reached, in order.
+  [[nodiscard]] std::vector<std::size_t> reached() const;
 
  private:
   struct Reached {

@@ -18,18 +18,20 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Guide::Guide(const Terrain& terrain, const Pose& from, const Pose& to, double margin_m) {
+Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m) {
+  Ring places{from.at};
+  for (const Pose& goal : goals) places.push_back(goal.at);
   const Box field = bounds(terrain.space.area().shell);
-  const Box both = bounds({from.at, to.at});
-  low_ = {std::max(field.low.x_m, both.low.x_m - margin_m), std::max(field.low.y_m, both.low.y_m - margin_m)};
-  const Point high{std::min(field.high.x_m, both.high.x_m + margin_m),
-                   std::min(field.high.y_m, both.high.y_m + margin_m)};
+  const Box all = bounds(places);
+  low_ = {std::max(field.low.x_m, all.low.x_m - margin_m), std::max(field.low.y_m, all.low.y_m - margin_m)};
+  const Point high{std::min(field.high.x_m, all.high.x_m + margin_m),
+                   std::min(field.high.y_m, all.high.y_m + margin_m)};
   const Point size = high - low_;
   cell_m_ = std::max(kLeastCell_m, std::max(size.x_m, size.y_m) / kMostCells);
   columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 1;
   rows_ = static_cast<std::size_t>(std::max(0.0, size.y_m) / cell_m_) + 1;
   distance_.assign(columns_ * rows_, kFar);
-  spread(terrain, to.at);
+  spread(terrain, goals);
 }
 
 std::optional<std::size_t> Guide::cell_of(Point p) const {
@@ -72,15 +74,16 @@ double Guide::dearness(Ground ground) {
   return ground == Ground::mainland ? 1 + kOverMainland : 1;
 }
 
-/// Dijkstra from the goal.
-void Guide::spread(const Terrain& terrain, Point goal) {
-  const auto start = cell_of(goal);
-  if (!start) return;
+/// Dijkstra from the goals.
+void Guide::spread(const Terrain& terrain, const std::vector<Pose>& goals) {
   std::vector<Ground> ground(distance_.size(), Ground::unknown);
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  distance_[*start] = 0;
-  queue.emplace(0, *start);
+  for (const Pose& goal : goals)
+    if (const auto start = cell_of(goal.at); start && distance_[*start] > 0) {
+      distance_[*start] = 0;
+      queue.emplace(0, *start);
+    }
   while (!queue.empty()) {
     const auto [done_m, cell] = queue.top();
     queue.pop();

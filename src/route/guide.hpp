@@ -8,11 +8,12 @@
 
 namespace selion {
 
-/// Shortest ways for a point to the goal over square cells, mainland dearer: the heuristic of the search.
+/// Shortest ways for a point to the nearest goal over square cells, mainland dearer: the heuristic of the
+/// search.
 class Guide {
  public:
-  /// Over the field within `margin_m` of the box around both poses.
-  Guide(const Terrain& terrain, const Pose& from, const Pose& to, double margin_m);
+  /// Over the field within `margin_m` of the box around all poses.
+  Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m);
 
   /// Infinite where no way was found.
   [[nodiscard]] double to_goal_m(Point p) const;
@@ -30,7 +31,7 @@ class Guide {
   [[nodiscard]] bool open(const Terrain& terrain, Point p) const;
   [[nodiscard]] Ground ground_at(const Terrain& terrain, Point p) const;
   [[nodiscard]] static double dearness(Ground ground);
-  void spread(const Terrain& terrain, Point goal);
+  void spread(const Terrain& terrain, const std::vector<Pose>& goals);
 
   Point low_;
   double cell_m_ = 1;

@@ -115,21 +115,19 @@ Roads::Links& Roads::links(std::size_t node) {
   return links_.emplace(node, std::move(found)).first->second;
 }
 
-Roads::Links Roads::starts(const Pose& from, const Pose& to, const std::vector<Path>& retreats) const {
-  Links starts;
+void Roads::add_starts(Quest& quest, const Pose& from, const std::vector<Path>& retreats) const {
   const auto add = [&](std::size_t node, const Pose& at, const Pose& next, const Path* retreat) {
     Link link = link_between(terrain_, node, at, next);
     link.before = retreat;
     if (retreat != nullptr) link.least_m += cost_m(terrain_, *retreat);
-    starts.push_back(std::move(link));
+    quest.starts.push_back(std::move(link));
   };
-  for (const std::size_t node : likely_after(from, kNoTrack)) add(node, from, pose(node), nullptr);
-  for (const Path& retreat : retreats) {
-    const Pose out = end_pose(retreat);
-    add(goal(), out, to, &retreat);
-    for (const std::size_t node : likely_after(out, kNoTrack)) add(node, out, pose(node), &retreat);
-  }
-  return starts;
+  const auto add_all = [&](const Pose& at, const Path* retreat) {
+    for (std::size_t g = 0; g < quest.goals.size(); ++g) add(nodes_.size() + g, at, quest.goals[g], retreat);
+    for (const std::size_t node : likely_after(at, kNoTrack)) add(node, at, pose(node), retreat);
+  };
+  add_all(from, nullptr);
+  for (const Path& retreat : retreats) add_all(end_pose(retreat), &retreat);
 }
 
 std::vector<Path> Roads::runs_back_into(const Pose& to) const {
@@ -146,58 +144,80 @@ std::vector<Path> Roads::runs_back_into(const Pose& to) const {
   return runs;
 }
 
-Roads::Ends Roads::ends(const Pose& to, const std::vector<Path>& runs) const {
-  Ends ends;
+void Roads::add_ends(Quest& quest, std::size_t goal) const {
   const auto add = [&](const Pose& end, const Path* run) {
     for (const std::size_t node : likely_before(end)) {
-      Link link = link_between(terrain_, goal(), pose(node), end);
+      Link link = link_between(terrain_, nodes_.size() + goal, pose(node), end);
       link.after = run;
       if (run != nullptr) link.least_m += cost_m(terrain_, *run);
-      ends[node].push_back(std::move(link));
+      quest.ends[node].push_back(std::move(link));
     }
   };
-  add(to, nullptr);
-  for (const Path& run : runs) add(start_pose(run), &run);
-  return ends;
+  add(quest.goals[goal], nullptr);
+  for (const Path& run : quest.runs_back[goal]) add(start_pose(run), &run);
 }
 
-std::optional<Path> Roads::way(const Pose& from, const Pose& to, const std::vector<Path>& retreats) {
-  Links out = starts(from, to, retreats);
-  if (out.empty()) return std::nullopt;
-  const std::vector<Path> runs = runs_back_into(to);
-  Ends in = ends(to, runs);
-  return between(out, in, to.at);
+/// As the crow flies to the nearest goal.
+double Roads::rest_m(Quest& quest, std::size_t node) const {
+  if (node >= nodes_.size()) return 0;
+  const auto [known, is_new] = quest.rest_m.try_emplace(node, std::numeric_limits<double>::infinity());
+  if (is_new)
+    for (const Pose& goal : quest.goals)
+      known->second = std::min(known->second, distance_m(pose(node).at, goal.at));
+  return known->second;
 }
 
 /// Works out a proposed link and drives it, or leaves a node by all its links.
-void Roads::expand(Frontier& frontier, const Frontier::Entry& next, Ends& ends, Point to) {
+void Roads::expand(Frontier& frontier, const Frontier::Entry& next, Quest& quest) {
   const auto propose = [&](Links& links) {
-    for (Link& link : links) frontier.propose(next.node, link, rest_m(link.to, to));
+    for (Link& link : links) frontier.propose(next.node, link, rest_m(quest, link.to));
   };
   if (next.link != nullptr) {
     if (!frontier.promises(next)) return;
     work_out(terrain_, *next.link);
-    frontier.drive(next.node, *next.link, rest_m(next.link->to, to));
-  } else if (!frontier.outdated(next, rest_m(next.node, to))) {
+    frontier.drive(next.node, *next.link, rest_m(quest, next.link->to));
+  } else if (!frontier.outdated(next, rest_m(quest, next.node))) {
     propose(links(next.node));
-    if (const auto end = ends.find(next.node); end != ends.end()) propose(end->second);
+    if (const auto end = quest.ends.find(next.node); end != quest.ends.end()) propose(end->second);
   }
+}
+
+/// Through the ground between the roads: from all places that they lead to.
+std::optional<Arrival> Roads::beyond(const Pose& from, const Frontier& frontier,
+                                     const std::vector<Pose>& goals,
+                                     const std::vector<Path>& retreats) const {
+  std::vector<Pose> departures{from};
+  std::vector<Path> ways{{}};
+  for (const Path& retreat : retreats) {
+    departures.push_back(end_pose(retreat));
+    ways.push_back(retreat);
+  }
+  const std::vector<std::size_t> reached = frontier.reached();
+  for (const std::size_t node : reached) departures.push_back(pose(node));
+  auto found = searched(terrain_, departures, goals);
+  if (!found) return std::nullopt;
+  Path whole = found->departure < ways.size() ? ways[found->departure]
+                                              : frontier.way_to(reached[found->departure - ways.size()]);
+  append(whole, found->arrival.way);
+  return Arrival{found->arrival.goal, std::move(whole)};
 }
 
 /// A* with the distance as the crow flies.
-std::optional<Path> Roads::between(Links& starts, Ends& ends, Point to) {
+std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goals,
+                                  const std::vector<Path>& retreats) {
+  Quest quest{goals, {}, {}, {}, {}};
+  add_starts(quest, from, retreats);
+  for (const Pose& goal : goals) quest.runs_back.push_back(runs_back_into(goal));
+  for (std::size_t g = 0; g < goals.size(); ++g) add_ends(quest, g);
   Frontier frontier;
-  for (Link& link : starts) frontier.propose(Frontier::kStart, link, rest_m(link.to, to));
+  for (Link& link : quest.starts) frontier.propose(Frontier::kStart, link, rest_m(quest, link.to));
   for (std::size_t visited = 0; !frontier.empty() && visited < kMostVisited; ++visited) {
     const Frontier::Entry next = frontier.take();
-    if (next.link == nullptr && next.node == goal()) return frontier.way_to(goal());
-    expand(frontier, next, ends, to);
+    if (next.link == nullptr && next.node >= nodes_.size())
+      return Arrival{next.node - nodes_.size(), frontier.way_to(next.node)};
+    expand(frontier, next, quest);
   }
-  return std::nullopt;
-}
-
-double Roads::rest_m(std::size_t node, Point to) const {
-  return node == goal() ? 0 : distance_m(pose(node).at, to);
+  return beyond(from, frontier, goals, retreats);
 }
 
 }  // namespace selion

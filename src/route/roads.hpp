@@ -42,10 +42,12 @@ class Roads {
  public:
   Roads(const Terrain& terrain, std::vector<Track> tracks);
 
-  /// Cheapest way found by A* over the stations; both ends are joined by single turns, the first after one of
-  /// the `retreats` (ways backwards out of `from`) where that helps, the last before a straight run backwards
-  /// into `to` where the machine may reverse. Absent where the network does not join them.
-  std::optional<Path> way(const Pose& from, const Pose& to, const std::vector<Path>& retreats);
+  /// Cheapest way to one of the goals, found by A* over the stations; both ends are joined by single turns,
+  /// the first after one of the `retreats` (ways backwards out of `from`) where that helps, the last before a
+  /// straight run backwards into the goal where the machine may reverse. Where the network leads to no goal,
+  /// a search of the ground from all that it leads to. Absent where that finds none either.
+  std::optional<Arrival> way(const Pose& from, const std::vector<Pose>& goals,
+                             const std::vector<Path>& retreats);
 
  private:
   struct Node {
@@ -54,21 +56,30 @@ class Roads {
   };
   using Links = std::vector<Link>;
 
+  /// What one search looks for; its goals are nodes beyond those of the network.
+  struct Quest {
+    const std::vector<Pose>& goals;
+    Links starts;
+    std::unordered_map<std::size_t, Links> ends;
+    std::vector<std::vector<Path>> runs_back;  ///< into each goal
+    std::unordered_map<std::size_t, double> rest_m;
+  };
+
   [[nodiscard]] const Pose& pose(std::size_t node) const;
-  [[nodiscard]] std::size_t goal() const { return nodes_.size(); }
   [[nodiscard]] std::vector<std::size_t> near(Point p) const;
   [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked) const;
   [[nodiscard]] std::vector<std::size_t> likely_after(const Pose& from, std::size_t but_track) const;
   [[nodiscard]] std::vector<std::size_t> likely_before(const Pose& to) const;
   Links& links(std::size_t node);
   void add_next(Links& links, std::size_t node) const;
-  [[nodiscard]] Links starts(const Pose& from, const Pose& to, const std::vector<Path>& retreats) const;
+  void add_starts(Quest& quest, const Pose& from, const std::vector<Path>& retreats) const;
+  void add_ends(Quest& quest, std::size_t goal) const;
   [[nodiscard]] std::vector<Path> runs_back_into(const Pose& to) const;
-  using Ends = std::unordered_map<std::size_t, Links>;
-  [[nodiscard]] Ends ends(const Pose& to, const std::vector<Path>& runs) const;
-  void expand(Frontier& frontier, const Frontier::Entry& next, Ends& ends, Point to);
-  [[nodiscard]] double rest_m(std::size_t node, Point to) const;
-  std::optional<Path> between(Links& starts, Ends& ends, Point to);
+  double rest_m(Quest& quest, std::size_t node) const;
+  [[nodiscard]] std::optional<Arrival> beyond(const Pose& from, const Frontier& frontier,
+                                              const std::vector<Pose>& goals,
+                                              const std::vector<Path>& retreats) const;
+  void expand(Frontier& frontier, const Frontier::Entry& next, Quest& quest);
 
   const Terrain& terrain_;
   std::vector<Track> tracks_;

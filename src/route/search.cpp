@@ -11,6 +11,7 @@
 #include "connect.hpp"
 #include "guide.hpp"
 #include "selion/core/angle.hpp"
+#include "selion/motion/dubins.hpp"
 
 namespace selion {
 namespace {
@@ -23,6 +24,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMostNodes = 4000;
 constexpr double kGreed = 1.6;  // weight of the heuristic: within this factor of the best of its moves
 constexpr int kHeadings = 32;
+constexpr std::size_t kMostDepartures = 32;
+constexpr std::size_t kMostShots = 3;      // goals tried from one place
 constexpr std::size_t kMostReplaced = 60;  // stretches put into one turn
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -58,16 +61,17 @@ struct Node {
 
 class Search {
  public:
-  Search(const Terrain& terrain, const Pose& from, const Pose& to, Guide guide)
-      : terrain_{terrain}, to_{to}, guide_{std::move(guide)} {
+  Search(const Terrain& terrain, const std::vector<Pose>& from, const std::vector<Pose>& goals, Guide guide)
+      : terrain_{terrain}, goals_{goals}, guide_{std::move(guide)}, departures_{from.size()} {
     const double step = std::max(1.0, 0.6 / terrain.limits.curvature_per_m);
     add_moves(Gear::forward, step);
     if (terrain.may_reverse) add_moves(Gear::reverse, step);
-    nodes_.push_back({from, Gear::forward, 0, 0, {}, false});
-    push(0);
+    for (const Pose& departure : from)
+      nodes_.push_back({departure, Gear::forward, 0, nodes_.size(), {}, false});
+    for (const std::size_t node : foremost_departures()) push(node);
   }
 
-  std::optional<Path> run();
+  std::optional<Found> run();
 
  private:
   struct Move {
@@ -80,12 +84,15 @@ class Search {
   void add_moves(Gear gear, double step_m);
   void push(std::size_t node);
   void expand(std::size_t node);
-  [[nodiscard]] std::optional<Path> shot(std::size_t node) const;
-  [[nodiscard]] Path traced(std::size_t node, const Path& last) const;
+  [[nodiscard]] std::vector<std::size_t> foremost_departures() const;
+  [[nodiscard]] std::vector<std::size_t> nearest_goals(Point p) const;
+  [[nodiscard]] std::optional<Arrival> shot(std::size_t node) const;
+  [[nodiscard]] Found traced(std::size_t node, Arrival last) const;
 
   const Terrain& terrain_;
-  Pose to_;
+  const std::vector<Pose>& goals_;
   Guide guide_;
+  std::size_t departures_;  // the first nodes
   std::vector<Move> moves_;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> best_;
@@ -124,7 +131,7 @@ void Search::expand(std::size_t node) {
     const Pose pose = nodes_[node].pose;
     const Pose end{placed(pose, move.end), pose.heading_rad + move.turn_rad};
     double cost = nodes_[node].cost + move.length_m * (move.gear == Gear::reverse ? 1 + kInReverse : 1);
-    if (node != 0 && move.gear != nodes_[node].gear) cost += kGearChange_m;
+    if (node >= departures_ && move.gear != nodes_[node].gear) cost += kGearChange_m;
     const std::uint64_t key = key_of(end, move.gear);
     const auto known = best_.find(key);
     if (known != best_.end() && nodes_[known->second].cost <= cost) continue;
@@ -137,36 +144,61 @@ void Search::expand(std::size_t node) {
   }
 }
 
-std::optional<Path> Search::shot(std::size_t node) const {
-  const double rest = guide_.to_goal_m(nodes_[node].pose.at);
-  const double longest = 12 / terrain_.limits.curvature_per_m + 2 * rest;
-  for (Path& turn : connections(nodes_[node].pose, to_, terrain_.limits)) {
-    if (length_m(turn) > longest) break;
-    if (stays_inside(terrain_.space, terrain_.footprint, turn)) return std::move(turn);
+/// Those nearest to a goal: from further off the roads have led nowhere else.
+std::vector<std::size_t> Search::foremost_departures() const {
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (std::size_t i = 0; i < departures_; ++i) ranked.emplace_back(guide_.to_goal_m(nodes_[i].pose.at), i);
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<std::size_t> foremost;
+  for (std::size_t i = 0; i < ranked.size() && i < kMostDepartures; ++i) foremost.push_back(ranked[i].second);
+  return foremost;
+}
+
+std::vector<std::size_t> Search::nearest_goals(Point p) const {
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (std::size_t i = 0; i < goals_.size(); ++i) ranked.emplace_back(distance_m(p, goals_[i].at), i);
+  const std::size_t most = std::min(kMostShots, ranked.size());
+  std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(most), ranked.end());
+  std::vector<std::size_t> nearest;
+  for (std::size_t i = 0; i < most; ++i) nearest.push_back(ranked[i].second);
+  return nearest;
+}
+
+/// One turn from there into one of the nearest goals.
+std::optional<Arrival> Search::shot(std::size_t node) const {
+  const Pose& here = nodes_[node].pose;
+  const double longest = 12 / terrain_.limits.curvature_per_m + 2 * guide_.to_goal_m(here.at);
+  for (const std::size_t goal : nearest_goals(here.at)) {
+    if (dubins_length_m(here, goals_[goal], 1 / terrain_.limits.curvature_per_m) > longest) continue;
+    for (Path& turn : connections(here, goals_[goal], terrain_.limits)) {
+      if (length_m(turn) > longest) break;
+      if (stays_inside(terrain_.space, terrain_.footprint, turn)) return Arrival{goal, std::move(turn)};
+    }
   }
   return std::nullopt;
 }
 
-Path Search::traced(std::size_t node, const Path& last) const {
+Found Search::traced(std::size_t node, Arrival last) const {
   std::vector<const Path*> ways;
-  for (std::size_t n = node; n != 0; n = nodes_[n].parent) ways.push_back(&nodes_[n].way);
+  std::size_t n = node;
+  for (; n >= departures_; n = nodes_[n].parent) ways.push_back(&nodes_[n].way);
   std::reverse(ways.begin(), ways.end());
   Path whole;
   for (const Path* way : ways) append(whole, *way);
-  append(whole, last);
-  return whole;
+  append(whole, last.way);
+  return {n, {last.goal, std::move(whole)}};
 }
 
-std::optional<Path> Search::run() {
+std::optional<Found> Search::run() {
   std::size_t expanded = 0;
-  while (!open_.empty() && nodes_.size() < kMostNodes) {
+  while (!open_.empty() && nodes_.size() < departures_ + kMostNodes) {
     const std::size_t node = open_.top().second;
     open_.pop();
     if (nodes_[node].done) continue;
     nodes_[node].done = true;
     const bool near = guide_.to_goal_m(nodes_[node].pose.at) < 10 / terrain_.limits.curvature_per_m;
     if (near || expanded % 8 == 0)
-      if (auto last = shot(node)) return traced(node, *last);
+      if (auto last = shot(node)) return traced(node, std::move(*last));
     expand(node);
     ++expanded;
   }
@@ -197,13 +229,17 @@ Path shortened(const Terrain& terrain, Path path) {
 
 }  // namespace
 
-std::optional<Path> searched(const Terrain& terrain, const Pose& from, const Pose& to) {
+std::optional<Found> searched(const Terrain& terrain, const std::vector<Pose>& from,
+                              const std::vector<Pose>& goals) {
   for (const double margin_m : {40.0, std::numeric_limits<double>::infinity()}) {
-    Guide guide{terrain, from, to, margin_m};
-    if (guide.to_goal_m(from.at) == kFar) continue;  // the way leads round about: look wider
-    auto path = Search{terrain, from, to, std::move(guide)}.run();
-    if (!path) return std::nullopt;
-    return shortened(terrain, shortened(terrain, std::move(*path)));
+    Guide guide{terrain, from.front(), goals, margin_m};
+    if (guide.to_goal_m(from.front().at) == kFar) continue;  // the way leads round about: look wider
+    auto found = Search{terrain, from, goals, std::move(guide)}.run();
+    if (found) {
+      Path& way = found->arrival.way;
+      way = shortened(terrain, shortened(terrain, std::move(way)));
+    }
+    return found;
   }
   return std::nullopt;
 }

@@ -9,7 +9,8 @@
 namespace selion {
 namespace {
 
-constexpr std::size_t kRingStarts = 24;  // places tried to begin a headland pass
+constexpr std::size_t kNearStarts = 12;  // places tried to begin a headland pass: the nearest,
+constexpr std::size_t kFarStarts = 12;   // and some of the others
 constexpr double kLeastSplit = 8;  // working widths of length from which an open headland pass may be split
 
 /// The path from its first straight place at or beyond `from_m`: a swath may only be begun where the wheels
@@ -35,17 +36,18 @@ Path tool_turned_round(const Path& path, double tool_x_m) {
   return from_straight(back, shift_m);
 }
 
-/// The round begun at the stations nearest to `here`.
+/// The round begun at stations near `here`, and at some all around: the near ones may be hard to reach.
 std::vector<Path> begun_around(const Path& round, const std::optional<Pose>& here) {
   Track track = track_of(round, true);
   std::stable_sort(track.stations.begin(), track.stations.end(),
                    [&here](const Track::Station& a, const Track::Station& b) {
                      return far_m(here, a.pose) < far_m(here, b.pose);
                    });
-  if (track.stations.size() > kRingStarts) track.stations.resize(kRingStarts);
   std::vector<Path> ways;
-  for (const Track::Station& station : track.stations)
-    ways.push_back(part_of(round, station.s_m, station.s_m + track.length_m));
+  const std::size_t count = track.stations.size();
+  const std::size_t step = count > kNearStarts ? (count - kNearStarts) / kFarStarts + 1 : 1;
+  for (std::size_t i = 0; i < count; i += i < kNearStarts ? 1 : step)
+    ways.push_back(part_of(round, track.stations[i].s_m, track.stations[i].s_m + track.length_m));
   return ways;
 }
 
