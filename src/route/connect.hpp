@@ -19,9 +19,10 @@ struct Terrain {
   const AreaIndex& mainland;  ///< not to be driven over where there is another way
 };
 
-constexpr double kOverMainland = 0.5;  ///< extra cost of a metre over the mainland
-constexpr double kInReverse = 1.0;     ///< extra cost of a metre in reverse
-constexpr double kGearChange_m = 6;    ///< what stopping and changing gear is worth
+constexpr double kOverMainland =
+    2;  ///< extra cost of a metre over the mainland: rows just sown are not crossed
+constexpr double kInReverse = 1.0;   ///< extra cost of a metre in reverse
+constexpr double kGearChange_m = 6;  ///< what stopping and changing gear is worth
 
 /// Cost of a way: its metres, those over the mainland dearer, reversing and changes of gear dearer still.
 double cost_m(const Terrain& terrain, const Path& path);
