@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 
 namespace selion {
 namespace {
@@ -77,29 +74,27 @@ double Guide::dearness(Ground ground) {
 /// Dijkstra from the goals.
 void Guide::spread(const Terrain& terrain, const std::vector<Pose>& goals) {
   std::vector<Ground> ground(distance_.size(), Ground::unknown);
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  Queue queue;
   for (const Pose& goal : goals)
-    if (const auto start = cell_of(goal.at); start && distance_[*start] > 0) {
-      distance_[*start] = 0;
-      queue.emplace(0, *start);
-    }
+    if (const auto start = cell_of(goal.at)) reach(queue, *start, 0);
   while (!queue.empty()) {
     const auto [done_m, cell] = queue.top();
     queue.pop();
     if (done_m > distance_[cell]) continue;
-    for (const Step step : {Step{-1, -1}, Step{0, -1}, Step{1, -1}, Step{-1, 0}, Step{1, 0}, Step{-1, 1},
-                            Step{0, 1}, Step{1, 1}}) {
+    for (const Step step : kSteps) {
       const auto other = neighbour(cell, step);
       if (!other) continue;
       Ground& there = ground[*other];
       if (there == Ground::unknown) there = ground_at(terrain, centre_of(*other));
-      const double reached_m = done_m + cell_m_ * std::hypot(step.dx, step.dy) * dearness(there);
-      if (reached_m >= distance_[*other]) continue;
-      distance_[*other] = reached_m;
-      queue.emplace(reached_m, *other);
+      reach(queue, *other, done_m + cell_m_ * std::hypot(step.dx, step.dy) * dearness(there));
     }
   }
+}
+
+void Guide::reach(Queue& queue, std::size_t cell, double distance_m) {
+  if (distance_m >= distance_[cell]) return;
+  distance_[cell] = distance_m;
+  queue.emplace(distance_m, cell);
 }
 
 double Guide::to_goal_m(Point p) const {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <functional>
 #include <optional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "connect.hpp"
@@ -31,6 +35,11 @@ class Guide {
   [[nodiscard]] bool open(const Terrain& terrain, Point p) const;
   [[nodiscard]] Ground ground_at(const Terrain& terrain, Point p) const;
   [[nodiscard]] static double dearness(Ground ground);
+  using Entry = std::pair<double, std::size_t>;
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+  static constexpr auto kSteps =
+      std::to_array<Step>({{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}});
+  void reach(Queue& queue, std::size_t cell, double distance_m);
   void spread(const Terrain& terrain, const std::vector<Pose>& goals);
 
   Point low_;
