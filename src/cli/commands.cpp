@@ -39,6 +39,7 @@ const Command& command_named(std::string_view name) {
   const auto found = std::ranges::find(kCommands, name, &Command::name);
   if (found != kCommands.end()) return *found;
   std::vector<std::string_view> names;
+  names.reserve(kCommands.size());
   for (const Command& command : kCommands) names.push_back(command.name);
   const std::string there_is = "there is " + spoken_list(names);
   if (std::ranges::find(kLater, name) != kLater.end())

@@ -44,7 +44,7 @@ PlanTotals totals_of(const PlanFile& plan) {
 
 /// The preset named in the job, the only key of that name.
 std::string preset_of(const PlanFile& plan) {
-  const std::string start = "\"preset\":\"";
+  const std::string start = R"("preset":")";
   const std::size_t at = plan.job_json.find(start);
   if (at == std::string::npos) return "not named";
   const std::size_t from = at + start.size();

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <thread>
 
-#include <signal.h>
 #include <unistd.h>
 
 namespace selion::cli {
@@ -20,7 +19,7 @@ namespace {
   // A disk that hangs must not keep the program for ever.
   static_cast<void>(writing().try_lock_for(std::chrono::seconds{10}));
   constexpr std::string_view kMessage = "\ninterrupted\n";
-  static_cast<void>(!write(STDERR_FILENO, kMessage.data(), kMessage.size()));
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
   _exit(130);
 }
 

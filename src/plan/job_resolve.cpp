@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 #include <string>
 
@@ -11,9 +10,9 @@ namespace selion {
 namespace {
 
 const JobSetting* last_of(std::span<const JobSetting> settings, std::string_view full) {
-  for (const JobSetting& setting : settings | std::views::reverse)
-    if (full_name(*setting.key) == full) return &setting;
-  return nullptr;
+  const auto found = std::find_if(settings.rbegin(), settings.rend(),
+                                  [&](const JobSetting& setting) { return full_name(*setting.key) == full; });
+  return found == settings.rend() ? nullptr : &*found;
 }
 
 void start_from_preset(Job& job, std::string_view name) {

@@ -33,7 +33,7 @@ std::string or_absent(const JobKey& key) {
 
 /// Text that is one of the key's choices.
 void check_choice(const JobKey& key, const JobValue& value) {
-  const std::string& text = std::get<std::string>(value);
+  const auto& text = std::get<std::string>(value);
   const auto choices = split_at_bars(key.choices);
   if (choices.empty() || std::ranges::find(choices, text) != choices.end()) return;
   const auto later = split_at_bars(key.later);
