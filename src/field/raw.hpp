@@ -32,6 +32,9 @@ struct RawFeature {
   std::map<std::string, std::string> attributes;
   std::vector<std::string> attribute_order;  ///< keys of `attributes` as the file orders them
   std::vector<std::string> notes;
+
+  [[nodiscard]] bool has_polygons() const { return !polygons.empty(); }
+  [[nodiscard]] bool is_empty() const { return polygons.empty() && lines.empty() && points.empty(); }
 };
 
 struct RawLayer {
@@ -49,10 +52,12 @@ struct RawFile {
   std::vector<std::string> notes;
 };
 
-RawFile read_json(const std::string& text, const std::string& label, const std::string& stem);
+/// A field file with the reader that suits it; "-" is GeoJSON on `standard_input`.
+RawFile read_raw(const std::filesystem::path& path, const ReadOptions& options, std::istream& standard_input);
+RawFile read_json(const std::string& bytes, const std::string& label, const std::string& stem);
 /// Whether the text is GeoJSON by its first members; other JSON (TopoJSON, Esri) is for GDAL.
 bool is_geojson(const std::string& text);
-RawFile read_text(const std::string& text, const std::string& label, const std::string& stem,
+RawFile read_text(const std::string& bytes, const std::string& label, const std::string& stem,
                   const ReadOptions& options);
 /// Any file that GDAL reads; zip archives are looked into.
 RawFile read_with_gdal(const std::filesystem::path& file, const std::string& label);

@@ -28,7 +28,7 @@ struct ReadOptions {
 /// with a property `selion` = obstacle | gate | no_go | water, and from the files in the options.
 /// @returns at least one field, in file order.
 /// @throws InputError naming file, feature, ring and coordinate, and what to do.
-std::vector<Field> read_fields(const std::filesystem::path& file, const ReadOptions& options,
+std::vector<Field> read_fields(const std::filesystem::path& path, const ReadOptions& options,
                                std::istream& standard_input);
 
 }  // namespace selion
