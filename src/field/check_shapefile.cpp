@@ -59,27 +59,27 @@ void check_parts(const Bytes& bytes, std::size_t at, std::size_t length, const s
 
 }  // namespace
 
-void check_shapefile(const std::string& all, const std::string& label) {
-  const Bytes bytes{all};
+void check_shapefile(const std::string& bytes, const std::string& label) {
+  const Bytes file{bytes};
   constexpr std::uint32_t kFileCode = 9994;
-  if (bytes.size() < kHeader || bytes.big(0) != kFileCode)
+  if (file.size() < kHeader || file.big(0) != kFileCode)
     throw InputError{label + " is no shapefile, or cut off; export it anew"};
-  const std::uint64_t claimed = std::uint64_t{bytes.big(24)} * 2;
+  const std::uint64_t claimed = std::uint64_t{file.big(24)} * 2;
   std::size_t at = kHeader;
-  for (int number = 1; at < bytes.size() && at < claimed; ++number) {
+  for (int number = 1; at < file.size() && at < claimed; ++number) {
     const std::string where = label + ", feature " + std::to_string(number);
-    if (at + kRecordHeader > bytes.size())
+    if (at + kRecordHeader > file.size())
       throw InputError{where + " is cut off by the end of the file; export the shapefile anew"};
-    const std::uint64_t length = std::uint64_t{bytes.big(at + 4)} * 2;
+    const std::uint64_t length = std::uint64_t{file.big(at + 4)} * 2;
     at += kRecordHeader;
-    if (length < 4 || length > bytes.size() - at)
+    if (length < 4 || length > file.size() - at)
       throw InputError{where + " is " + std::to_string(length) +
                        " bytes long, past the end of the file; it is truncated: copy or export it anew"};
-    if (has_parts(bytes.little(at))) check_parts(bytes, at, static_cast<std::size_t>(length), where);
+    if (has_parts(file.little(at))) check_parts(file, at, static_cast<std::size_t>(length), where);
     at += static_cast<std::size_t>(length);
   }
-  if (claimed > bytes.size())
-    throw InputError{label + " is truncated: " + std::to_string(bytes.size()) + " of " +
+  if (claimed > file.size())
+    throw InputError{label + " is truncated: " + std::to_string(file.size()) + " of " +
                      std::to_string(claimed) + " bytes are there; copy or export it anew"};
 }
 

@@ -194,9 +194,9 @@ LocalFrame LocalFrame::cloned() const { return {proj_, origin_}; }
 LonLat centre(const Field& field) {
   double reference = 0;
   bool first = true;
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  LonLat low{inf, inf};
-  LonLat high{-inf, -inf};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  LonLat low{kInfinity, kInfinity};
+  LonLat high{-kInfinity, -kInfinity};
   for (const LonLatPolygon& part : field.parts) {
     for (const LonLat p : part.shell) {
       if (std::exchange(first, false)) reference = p.lon_deg;

@@ -35,7 +35,7 @@ MemoryFolder::MemoryFolder()
 MemoryFolder::~MemoryFolder() { VSIRmdirRecursive(path_.c_str()); }
 
 std::string MemoryFolder::add(const std::string& name, const std::string& bytes) {
-  const std::string path = path_ + "/" + name;
+  std::string path = path_ + "/" + name;
   // GDAL's interface takes a mutable buffer, but only ever reads this one: files are opened for reading.
   auto* data = reinterpret_cast<GByte*>(const_cast<char*>(bytes.data()));
   VSIFCloseL(VSIFileFromMemBuffer(path.c_str(), data, bytes.size(), FALSE));

@@ -13,6 +13,8 @@ class GdalMessages {
   ~GdalMessages();
   GdalMessages(const GdalMessages&) = delete;
   GdalMessages& operator=(const GdalMessages&) = delete;
+  GdalMessages(GdalMessages&&) = delete;
+  GdalMessages& operator=(GdalMessages&&) = delete;
 
   std::vector<std::string> failures;
   std::vector<std::string> warnings;  ///< each once
@@ -26,6 +28,8 @@ class MemoryFolder {
   ~MemoryFolder();
   MemoryFolder(const MemoryFolder&) = delete;
   MemoryFolder& operator=(const MemoryFolder&) = delete;
+  MemoryFolder(MemoryFolder&&) = delete;
+  MemoryFolder& operator=(MemoryFolder&&) = delete;
 
   /// @returns its path for GDAL. `bytes` must outlive the folder.
   std::string add(const std::string& name, const std::string& bytes);

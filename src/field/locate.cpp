@@ -122,7 +122,7 @@ Located located(const RawFeature& feature, Georeference& georeference, const std
                 std::optional<double> accept_datum_error_m) {
   Located result;
   result.notes = feature.notes;
-  for (std::string& note : result.notes) note = where + ": " + note;
+  for (std::string& note : result.notes) note.insert(0, where + ": ");
   Locator locator{georeference, where};
   for (std::size_t part = 0; part < feature.polygons.size(); ++part)
     for (std::size_t ring = 0; ring < feature.polygons[part].size(); ++ring)

@@ -126,6 +126,38 @@ Ring with_crossings(const Ring& ring) {
   return insertions.empty() ? ring : with(ring, std::move(insertions));
 }
 
+/// Appends `p` to `kept`, unless the line comes back to where it was one corner ago: then the tip goes.
+void add_corner(Point p, Ring& kept, std::vector<Spike>& spikes) {
+  if (kept.size() >= 2 && kept[kept.size() - 2] == p) {
+    // A spike of several corners is popped from its tip down: it stays one spike.
+    if (!spikes.empty() && spikes.back().foot == kept.back())
+      spikes.back().foot = p;
+    else
+      spikes.push_back({p, kept.back()});
+    kept.pop_back();
+  } else if (kept.empty() || !(kept.back() == p)) {
+    kept.push_back(p);
+  }
+}
+
+/// Drops the spikes that have their tip or their foot where the ring starts.
+void drop_spikes_at_seam(Ring& kept, std::vector<Spike>& spikes) {
+  while (kept.size() > 2) {
+    if (kept.back() == kept.front()) {
+      kept.pop_back();
+    } else if (kept[kept.size() - 2] == kept.front()) {
+      spikes.push_back({kept.front(), kept.back()});
+      kept.resize(kept.size() - 2);
+    } else if (kept.back() == kept[1]) {
+      spikes.push_back({kept[1], kept.front()});
+      kept.erase(kept.begin());
+      kept.pop_back();
+    } else {
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 int snap(std::vector<Ring>& rings) {
@@ -148,36 +180,10 @@ int snap(std::vector<Ring>& rings) {
 
 std::vector<Spike> drop_spikes(Ring& ring) {
   std::vector<Spike> spikes;
-  Ring kept;
-  const auto add = [&](Point p) {
-    if (kept.size() >= 2 && kept[kept.size() - 2] == p) {
-      // A spike of several corners is popped from its tip down: it stays one spike.
-      if (!spikes.empty() && spikes.back().foot == kept.back())
-        spikes.back().foot = p;
-      else
-        spikes.push_back({p, kept.back()});
-      kept.pop_back();
-    } else if (kept.empty() || !(kept.back() == p)) {
-      kept.push_back(p);
-    }
-  };
   if (ring.size() < 3) return spikes;
-  // Started at an extreme corner that no spike's foot can be, unless the spike is the extreme: hence once
-  // around and on.
-  for (const Point p : ring) add(p);
-  while (kept.size() > 2 &&
-         (kept.back() == kept.front() || kept[kept.size() - 2] == kept.front() || kept.back() == kept[1])) {
-    if (kept.back() == kept.front()) {
-      kept.pop_back();
-    } else if (kept[kept.size() - 2] == kept.front()) {
-      spikes.push_back({kept.front(), kept.back()});
-      kept.resize(kept.size() - 2);
-    } else {
-      spikes.push_back({kept[1], kept.front()});
-      kept.erase(kept.begin());
-      kept.pop_back();
-    }
-  }
+  Ring kept;
+  for (const Point p : ring) add_corner(p, kept, spikes);
+  drop_spikes_at_seam(kept, spikes);
   ring = std::move(kept);
   return spikes;
 }

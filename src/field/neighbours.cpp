@@ -64,7 +64,7 @@ void note_neighbours(std::vector<Field>& fields) {
       const LonLatBox& a = boxes[order[i]];
       const LonLatBox& b = boxes[order[j]];
       if (a.low.lat_deg < b.high.lat_deg && b.low.lat_deg < a.high.lat_deg)
-        pairs.push_back(std::minmax(order[i], order[j]));
+        pairs.emplace_back(std::minmax(order[i], order[j]));
     }
   }
   std::sort(pairs.begin(), pairs.end());

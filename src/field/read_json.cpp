@@ -12,12 +12,12 @@
 namespace selion {
 namespace {
 
-using json = nlohmann::json;
+using Json = nlohmann::json;
 
 constexpr int kDeepest = 64;  // GeoJSON itself needs 8 and one more for each collection in a collection
 
 /// Stops at the first error and at endless nesting, and remembers where.
-class SyntaxCheck : public nlohmann::json_sax<json> {
+class SyntaxCheck : public nlohmann::json_sax<Json> {
  public:
   std::size_t at = 0;
   std::string error;
@@ -34,7 +34,7 @@ class SyntaxCheck : public nlohmann::json_sax<json> {
   bool start_array(std::size_t) override { return deeper(); }
   bool end_object() override { return --depth_ >= 0; }
   bool end_array() override { return --depth_ >= 0; }
-  bool parse_error(std::size_t position, const std::string& token, const json::exception& what) override {
+  bool parse_error(std::size_t position, const std::string& token, const Json::exception& what) override {
     at = position;
     constexpr std::size_t kShown = 40;
     error = std::string_view{what.what()}.find("number overflow") != std::string_view::npos
@@ -54,9 +54,9 @@ class SyntaxCheck : public nlohmann::json_sax<json> {
   int depth_ = 0;
 };
 
-json parsed(const std::string& text, const std::string& label) {
+Json parsed(const std::string& text, const std::string& label) {
   SyntaxCheck check;
-  if (!json::sax_parse(text, &check)) {
+  if (!Json::sax_parse(text, &check)) {
     const auto upto = text.begin() + static_cast<std::ptrdiff_t>(std::min(check.at, text.size()));
     const bool early = check.at >= text.size() && check.at > 0;
     const std::string where = check.at == 0
@@ -66,10 +66,10 @@ json parsed(const std::string& text, const std::string& label) {
     throw InputError{label + where + ": " + (early ? "the JSON ends early" : check.error) +
                      "; export the file anew as GeoJSON"};
   }
-  return json::parse(text);
+  return Json::parse(text);
 }
 
-std::string member(const json& object, const char* key) {
+std::string member(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
@@ -79,26 +79,26 @@ class Geometry {
  public:
   Geometry(RawFeature& into, std::string where) : into_{into}, where_{std::move(where)} {}
 
-  void read(const json& geometry) {
+  void read(const Json& geometry) {
     if (!geometry.is_object()) fail("its geometry is no object");
     const std::string type = member(geometry, "type");
     if (type == "GeometryCollection") {
-      for (const json& one : array(geometry, "geometries")) read(one);
+      for (const Json& one : array(geometry, "geometries")) read(one);
       return;
     }
-    const json& coordinates = array(geometry, "coordinates");
+    const Json& coordinates = array(geometry, "coordinates");
     if (type == "Polygon")
       polygon(coordinates);
     else if (type == "MultiPolygon")
-      for (const json& one : coordinates) polygon(one);
+      for (const Json& one : coordinates) polygon(one);
     else if (type == "Point")
       into_.points.push_back(position(coordinates, ""));
     else if (type == "MultiPoint")
-      for (const json& one : coordinates) into_.points.push_back(position(one, ""));
+      for (const Json& one : coordinates) into_.points.push_back(position(one, ""));
     else if (type == "LineString")
       into_.lines.push_back(positions(coordinates, ""));
     else if (type == "MultiLineString")
-      for (const json& one : coordinates) into_.lines.push_back(positions(one, ""));
+      for (const Json& one : coordinates) into_.lines.push_back(positions(one, ""));
     else
       fail("'" + type + "' is no geometry type of GeoJSON");
   }
@@ -108,32 +108,32 @@ class Geometry {
     throw InputError{where_ + ": " + what + "; correct the file"};
   }
 
-  const json& array(const json& object, const char* key) const {
+  const Json& array(const Json& object, const char* key) const {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_array())
       fail(std::string{"its geometry has no array '"} + key + "'");
     return *found;
   }
 
-  void polygon(const json& rings) {
+  void polygon(const Json& rings) {
     const std::string part = ", part " + std::to_string(into_.polygons.size() + 1);
     if (!rings.is_array()) fail("its coordinates are nested too little for a polygon" + part);
     RawPolygon polygon;
-    for (const json& ring : rings)
+    for (const Json& ring : rings)
       polygon.push_back(positions(ring, part + ", ring " + std::to_string(polygon.size() + 1)));
     if (!polygon.empty()) into_.polygons.push_back(std::move(polygon));
   }
 
-  std::vector<RawPoint> positions(const json& list, const std::string& where) const {
+  [[nodiscard]] std::vector<RawPoint> positions(const Json& list, const std::string& where) const {
     if (!list.is_array()) fail("coordinates are missing" + where);
     std::vector<RawPoint> points;
     points.reserve(list.size());
-    for (const json& one : list)
+    for (const Json& one : list)
       points.push_back(position(one, where + ", coordinate " + std::to_string(points.size() + 1)));
     return points;
   }
 
-  RawPoint position(const json& list, const std::string& where) const {
+  [[nodiscard]] RawPoint position(const Json& list, const std::string& where) const {
     if (list.is_number()) fail("a list of positions has one level of brackets too few" + where);
     if (!list.is_array() || list.size() < 2)
       fail("a position needs two numbers, longitude and latitude" + where);
@@ -146,8 +146,8 @@ class Geometry {
   std::string where_;
 };
 
-void read_attributes(const json& feature, RawFeature& into) {
-  const auto add = [&into](const std::string& key, const json& value) {
+void read_attributes(const Json& feature, RawFeature& into) {
+  const auto add = [&into](const std::string& key, const Json& value) {
     if (value.is_null() || into.attributes.contains(key)) return;
     into.attributes[key] = value.is_string() ? value.get<std::string>() : value.dump();
     into.attribute_order.push_back(key);
@@ -158,7 +158,7 @@ void read_attributes(const json& feature, RawFeature& into) {
   if (const auto id = feature.find("id"); id != feature.end()) add("id", *id);
 }
 
-RawFeature read_feature(const json& feature, int number, const std::string& label) {
+RawFeature read_feature(const Json& feature, int number, const std::string& label) {
   const std::string where = label + ", feature " + std::to_string(number);
   if (!feature.is_object() || member(feature, "type") != "Feature")
     throw InputError{where + ": it is no GeoJSON Feature; correct the file"};
@@ -171,7 +171,7 @@ RawFeature read_feature(const json& feature, int number, const std::string& labe
 }
 
 /// The `crs` member of the 2008 draft, still written by GDAL and QGIS.
-void read_crs(const json& root, RawLayer& layer, const std::string& label) {
+void read_crs(const Json& root, RawLayer& layer, const std::string& label) {
   layer.crs = "OGC:CRS84";
   layer.crs_is_default = true;
   const auto crs = root.find("crs");
@@ -207,7 +207,7 @@ RawFile read_json(const std::string& bytes, const std::string& label, const std:
   std::string text = as_utf8(bytes, was_latin1);
   if (was_latin1) file.notes.push_back(label + " is not UTF-8; its names are read as Latin-1");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  const json root = parsed(text, label);
+  const Json root = parsed(text, label);
   const std::string type = root.is_object() ? member(root, "type") : std::string{};
   RawLayer layer;
   if (type.empty())
@@ -218,7 +218,7 @@ RawFile read_json(const std::string& bytes, const std::string& label, const std:
     const auto features = root.find("features");
     if (features == root.end() || !features->is_array())
       throw InputError{label + ": the FeatureCollection has no array 'features'; correct the file"};
-    for (const json& one : *features)
+    for (const Json& one : *features)
       layer.features.push_back(read_feature(one, static_cast<int>(layer.features.size()) + 1, label));
   } else if (type == "Feature") {
     layer.features.push_back(read_feature(root, 1, label));

@@ -47,35 +47,56 @@ struct Ordinate {
   Axis axis = Axis::unknown;  ///< where a hemisphere letter says
 };
 
+struct Hemisphere {
+  Axis axis = Axis::unknown;
+  double sign = 1;
+};
+
+std::optional<Hemisphere> hemisphere(char letter) {
+  switch (letter) {
+    case 'N':
+    case 'n':
+      return Hemisphere{Axis::lat, 1};
+    case 'S':
+    case 's':
+      return Hemisphere{Axis::lat, -1};
+    case 'E':
+    case 'e':
+      return Hemisphere{Axis::lon, 1};
+    case 'W':
+    case 'w':
+      return Hemisphere{Axis::lon, -1};
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Takes the letter off one end of `text`.
+Hemisphere take_hemisphere(std::string_view& text) {
+  if (text.empty()) return {};
+  if (const auto before = hemisphere(text.front())) {
+    text = trimmed(text.substr(1));
+    return *before;
+  }
+  if (const auto behind = hemisphere(text.back())) {
+    text = trimmed(text.substr(0, text.size() - 1));
+    return *behind;
+  }
+  return {};
+}
+
 /// "9.887", "-9,887", "E 9.887", "9.887 W", "9.887°".
 std::optional<Ordinate> ordinate(std::string_view text) {
   std::string token{text};
   std::replace(token.begin(), token.end(), ',', '.');
   if (const auto degree = token.find("\xC2\xB0"); degree != std::string::npos) token.erase(degree, 2);
-  Ordinate result;
-  double sign = 1;
-  const auto take_letter = [&](char letter) {
-    const auto upper = static_cast<char>(letter >= 'a' && letter <= 'z' ? letter - 'a' + 'A' : letter);
-    if (upper == 'N' || upper == 'S')
-      result.axis = Axis::lat;
-    else if (upper == 'E' || upper == 'W')
-      result.axis = Axis::lon;
-    else
-      return false;
-    if (upper == 'S' || upper == 'W') sign = -1;
-    return true;
-  };
   std::string_view rest = trimmed(token);
-  if (!rest.empty() && take_letter(rest.front()))
-    rest = trimmed(rest.substr(1));
-  else if (!rest.empty() && take_letter(rest.back()))
-    rest = trimmed(rest.substr(0, rest.size() - 1));
+  const Hemisphere side = take_hemisphere(rest);
   if (rest.starts_with('+')) rest.remove_prefix(1);
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), result.value);
-  if (error != std::errc{} || end != rest.data() + rest.size() || !std::isfinite(result.value))
-    return std::nullopt;
-  result.value *= sign;
-  return result;
+  double value = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (error != std::errc{} || end != rest.data() + rest.size() || !std::isfinite(value)) return std::nullopt;
+  return Ordinate{side.sign * value, side.axis};
 }
 
 struct Columns {
@@ -148,7 +169,7 @@ class TextReader {
     return found.has_value();
   }
 
-  RawPoint position(const std::vector<std::string_view>& tokens) const {
+  [[nodiscard]] RawPoint position(const std::vector<std::string_view>& tokens) const {
     if (tokens.size() <= std::max(columns_.lon, columns_.lat))
       fail(
           "two numbers are needed, longitude and latitude in decimal degrees, such as '9.8876350, "
@@ -166,7 +187,7 @@ class TextReader {
     return {lon.value, lat.value};
   }
 
-  Ordinate number(std::string_view token) const {
+  [[nodiscard]] Ordinate number(std::string_view token) const {
     const auto found = ordinate(token);
     if (!found)
       fail("'" + std::string{token.substr(0, 40)} +
