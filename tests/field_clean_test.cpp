@@ -203,7 +203,10 @@ TEST_CASE("obstacles are taken off and keep their clearance, water its margin", 
   const Block& block = blocks.blocks.front();
   CHECK(area_m2(block.area) == Approx(20000 - 100 - 100 - 400 - 400).margin(0.05));
   CHECK(block.area.holes.size() == 3);
-  CHECK(block.obstacles.size() == 4);
+  REQUIRE(block.obstacles.size() == 4);
+  CHECK(block.obstacles[1].kind == ObstacleKind::water);
+  CHECK(block.obstacles[1].name == "made");
+  CHECK(area_m2(block.obstacles[1].area) == Approx(400).margin(0.05));
   const auto grown = [](double side_m, double by_m) {
     return side_m * side_m + 4 * side_m * by_m + std::numbers::pi * by_m * by_m;
   };

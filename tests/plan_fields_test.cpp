@@ -67,6 +67,15 @@ TEST_CASE("every preset drives every field of our own without a fault", "[plan]"
   CHECK(joined(faults_of(*planned, job.machine)) == "");
 }
 
+TEST_CASE("a plan names the obstacles that it keeps clear of", "[plan]") {
+  const auto planned = plan(sample("gates_obstacles.geojson"), Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  std::vector<std::string> told;
+  for (const ObstacleRecord& obstacle : planned->file.obstacles)
+    told.push_back(obstacle.what + " " + obstacle.name);
+  CHECK(told == std::vector<std::string>{"obstacle barn", "no_go orchids", "water pond"});
+}
+
 TEST_CASE("a machine that may not reverse never does", "[plan]") {
   const Job job = job_of_toml("[machine]\npreset = \"robot-3m\"\nmay_reverse = false\n");
   const auto planned = plan(sample("l_shape.geojson"), job, Repair::notes_only, no_progress);

@@ -30,8 +30,9 @@ void append(Polygons& to, const Polygons& more) { to.insert(to.end(), more.begin
 
 /// What no machine may touch.
 struct Kept {
-  Polygons off;    ///< not to be covered
-  Polygons grown;  ///< off, with its clearance
+  std::vector<BlockObstacle> obstacles;
+  Polygons off;    ///< they together: not to be covered
+  Polygons grown;  ///< holes and obstacles with their clearance
 };
 
 Kept kept_clear(const Field& field, const LocalFrame& frame, const Polygons& holes,
@@ -43,6 +44,7 @@ Kept kept_clear(const Field& field, const LocalFrame& frame, const Polygons& hol
     const Polygons area = local_area(obstacle, frame, field.source);
     append(obstacle.kind == ObstacleKind::water ? water : plain, area);
     append(kept.off, area);
+    for (const Polygon& part : area) kept.obstacles.push_back({obstacle.name, obstacle.kind, part});
   }
   kept.grown = outset_round(plain, options.obstacle_clearance_m);
   append(kept.grown, outset_round(water, options.water_margin_m));
@@ -103,30 +105,43 @@ std::vector<Piece> shared_out(const Polygon& area, const Polygons& free, double 
 
 std::string hectares(double m2) { return fixed(m2 / 1e4, 4) + " ha"; }
 
+/// What `area` becomes once its obstacles have their clearance: nothing, itself, or several pieces.
+std::vector<Piece> pieces_of(const Polygon& area, const Kept& kept, double reach_m, const std::string& where,
+                             std::vector<std::string>& notes) {
+  const Polygons free = worthwhile(subtract({area}, kept.grown));
+  if (free.size() == 1) return {{area, free.front()}};
+  const std::string part = "a part of " + hectares(area_m2(area)) + where;
+  if (free.empty()) {
+    notes.push_back(part + " is left out: obstacles and their clearance fill it");
+    return {};
+  }
+  notes.push_back("obstacles with their clearance cut " + part + " into " + std::to_string(free.size()) +
+                  " blocks");
+  return shared_out(area, free, reach_m);
+}
+
+std::vector<BlockObstacle> obstacles_beside(const Polygon& area, const Kept& kept, double reach_m) {
+  std::vector<BlockObstacle> beside;
+  for (const BlockObstacle& obstacle : kept.obstacles) {
+    if (intersect(outset_round({obstacle.area}, reach_m), {area}).empty()) continue;
+    Polygon tidy = tidied(obstacle.area);
+    if (!tidy.shell.empty()) beside.push_back({obstacle.name, obstacle.kind, std::move(tidy)});
+  }
+  return beside;
+}
+
 }  // namespace
 
 Blocks blocks_of(const Field& field, const LocalFrame& frame, const BlockOptions& options) {
   const Cleaned clean = cleaned(field, frame, options.repair);
   const Kept kept = kept_clear(field, frame, clean.holes, options);
-  Blocks result;
-  result.notes = clean.notes;
   const double reach_m =
       std::max(options.obstacle_clearance_m, options.water_margin_m) * 1.5 + 0.01;  // around corners too
+  std::vector<std::string> notes;
   std::vector<Piece> pieces;
   for (const Polygon& area : worthwhile(subtract(clean.parts, kept.off))) {
-    const std::string at = " near " + place(frame.to_lonlat(area.shell.front()));
-    const Polygons free = worthwhile(subtract({area}, kept.grown));
-    if (free.empty()) {
-      result.notes.push_back(field.source + ": a part of " + hectares(area_m2(area)) + at +
-                             " is left out: obstacles and their clearance fill it");
-    } else if (free.size() == 1) {
-      pieces.push_back({area, free.front()});
-    } else {
-      for (Piece& piece : shared_out(area, free, reach_m)) pieces.push_back(std::move(piece));
-      result.notes.push_back(field.source + ": obstacles with their clearance cut a part of " +
-                             hectares(area_m2(area)) + at + " into " + std::to_string(free.size()) +
-                             " blocks");
-    }
+    const std::string where = " near " + place(frame.to_lonlat(area.shell.front()));
+    for (Piece& piece : pieces_of(area, kept, reach_m, where, notes)) pieces.push_back(std::move(piece));
   }
   if (pieces.empty())
     throw InputError{field.source +
@@ -134,13 +149,12 @@ Blocks blocks_of(const Field& field, const LocalFrame& frame, const BlockOptions
                      "lower the clearance"};
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& a, const Piece& b) { return area_m2(a.area) > area_m2(b.area); });
+  Blocks result{{}, clean.notes};
+  for (const std::string& note : notes) result.notes.push_back(field.source + ": " + note);
   for (Piece& piece : pieces) {
     Block block;
     block.number = static_cast<int>(result.blocks.size()) + 1;
-    for (const Polygon& obstacle : kept.off)
-      if (!intersect(outset_round({obstacle}, reach_m), {piece.area}).empty())
-        block.obstacles.push_back(tidied(obstacle));
-    std::erase_if(block.obstacles, [](const Polygon& obstacle) { return obstacle.shell.empty(); });
+    block.obstacles = obstacles_beside(piece.area, kept, reach_m);
     block.area = std::move(piece.area);
     block.free = std::move(piece.free);
     result.blocks.push_back(std::move(block));

@@ -61,7 +61,8 @@ std::vector<Block> zones_of(const Block& block, const Machine& machine) {
     if (free.empty()) continue;
     zone.free = free.front();
     std::erase_if(zone.gates, [&](const BlockGate& gate) { return !leads_into(gate, area); });
-    std::erase_if(zone.obstacles, [&](const Polygon& obstacle) { return !touches(obstacle, area); });
+    std::erase_if(zone.obstacles,
+                  [&](const BlockObstacle& obstacle) { return !touches(obstacle.area, area); });
     zones.push_back(std::move(zone));
   }
   return zones;

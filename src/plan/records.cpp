@@ -24,6 +24,11 @@ std::string name_of(PieceKind kind) {
   return {};
 }
 
+std::string name_of(ObstacleKind kind) {
+  if (kind == ObstacleKind::water) return "water";
+  return kind == ObstacleKind::no_go ? "no_go" : "obstacle";
+}
+
 bool works(PieceKind kind) { return kind == PieceKind::swath || kind == PieceKind::headland_pass; }
 
 double cap_mps(const Machine& machine, PieceKind kind, const Stretch& stretch) {
@@ -161,8 +166,9 @@ Drive drive_of(const Route& route, const Machine& machine) {
 void add_records(PlanFile& file, const PlannedBlock& planned, const Drive& drive, const LocalFrame& frame,
                  const Machine& machine) {
   const Block& block = planned.block;
-  for (const Polygon& obstacle : block.obstacles)
-    file.obstacles.push_back({block.number, to_lonlat(frame, obstacle), "", "obstacle"});
+  for (const BlockObstacle& obstacle : block.obstacles)
+    file.obstacles.push_back(
+        {block.number, to_lonlat(frame, obstacle.area), obstacle.name, name_of(obstacle.kind)});
   for (const BlockGate& gate : block.gates)
     file.gates.push_back({block.number, frame.to_lonlat(gate.at), gate.name, gate.width_m});
   const AbLine& ab = planned.layout.ab;

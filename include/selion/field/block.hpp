@@ -29,12 +29,21 @@ struct BlockGate {
   friend bool operator==(const BlockGate&, const BlockGate&) = default;
 };
 
+/// A hole that was given as an obstacle, as it is in the file.
+struct BlockObstacle {
+  std::string name;
+  ObstacleKind kind = ObstacleKind::obstacle;
+  Polygon area;
+
+  friend bool operator==(const BlockObstacle&, const BlockObstacle&) = default;
+};
+
 /// One cleaned part of a field, in local metres.
 struct Block {
   int number = 1;  ///< of the field's blocks, from 1
   Polygon area;    ///< the part as cleaned, its own holes and all obstacles taken off: what is to be covered
   Polygon free;    ///< `area` with every hole grown by its clearance: where body and tool may be
-  std::vector<Polygon> obstacles;
+  std::vector<BlockObstacle> obstacles;  ///< that border on it or lie in it
   std::vector<BlockGate> gates;
 
   friend bool operator==(const Block&, const Block&) = default;
