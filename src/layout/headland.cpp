@@ -45,17 +45,6 @@ Polygons without_slits(const Ground& ground, const Polygons& areas) {
 
 }  // namespace
 
-Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m) {
-  const Footprint footprint = footprint_of(machine);
-  const Polygons edge = inset({Polygon{block.area.shell, {}}}, edge_margin_m);
-  return {machine,
-          footprint,
-          free_space(block.free, footprint),
-          intersect(edge, {block.free}),
-          std::max(footprint.half_body_m, footprint.half_tool_m),
-          edge_margin_m};
-}
-
 double turn_depth_m(const Machine& machine, double spacing_m) {
   const Footprint footprint = footprint_of(machine);
   const Pose out{{-machine.tool_x_m, 0}, 0};

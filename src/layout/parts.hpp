@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -8,6 +10,18 @@
 #include "selion/motion/footprint.hpp"
 
 namespace selion {
+
+/// From where to where something lies along an axis.
+struct Extent {
+  double low_m = std::numeric_limits<double>::infinity();
+  double high_m = -std::numeric_limits<double>::infinity();
+
+  void take(double value_m) {
+    low_m = std::min(low_m, value_m);
+    high_m = std::max(high_m, value_m);
+  }
+};
+Extent extent_of(const Polygons& areas, Point axis);
 
 /// The distances and limits that all parts of a linear layout share.
 struct Ground {

@@ -42,32 +42,16 @@ double long_heading(const Polygon& part) {
   return best;
 }
 
-struct Reach {
-  double low_m = std::numeric_limits<double>::infinity();
-  double high_m = -std::numeric_limits<double>::infinity();
-
-  void take(double value_m) {
-    low_m = std::min(low_m, value_m);
-    high_m = std::max(high_m, value_m);
-  }
-};
-
-Reach reach_of(const Ring& ring, Point axis) {
-  Reach reach;
-  for (const Point p : ring) reach.take(dot(p, axis));
-  return reach;
-}
-
 /// What of `part` lies under the strip a-b: parts closer than a width belong to one piece.
 struct Find {
-  Reach along;
+  Extent along;
   double area_m2 = 0;
 };
 std::vector<Find> finds_under(const Polygon& part, Point a, Point b, double width_m) {
   const Point axis = (1 / distance_m(a, b)) * (b - a);
   std::vector<Find> finds;
   for (const Polygon& gained : intersect({part}, {Polygon{strip(a, b, width_m), {}}}))
-    finds.push_back({reach_of(gained.shell, axis), area_m2(gained)});
+    finds.push_back({extent_of({gained}, axis), area_m2(gained)});
   std::sort(finds.begin(), finds.end(),
             [](const Find& p, const Find& q) { return p.along.low_m < q.along.low_m; });
   std::vector<Find> merged;
@@ -101,8 +85,8 @@ std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
   const double width = ground.machine.working_width_m;
   const Point axis = unit(long_heading(part));
   const Point side = left_of(axis);
-  const Reach along = reach_of(part.shell, axis);
-  const Reach across = reach_of(part.shell, side);
+  const Extent along = extent_of({part}, axis);
+  const Extent across = extent_of({part}, side);
   const double span = across.high_m - across.low_m;
   const int count = std::max(1, static_cast<int>(std::ceil((span - kSliver_m) / width)));
   std::vector<Swath> pieces;
@@ -122,12 +106,12 @@ std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
 }
 
 /// The longest run of the piece on which the machine fits, driven from its `from` side.
-Reach longest_fit(const Ground& ground, const Swath& piece) {
+Extent longest_fit(const Ground& ground, const Swath& piece) {
   constexpr double kStep_m = 0.25;
   const double length = distance_m(piece.from, piece.to);
   const Point axis = (1 / length) * (piece.to - piece.from);
   const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep_m)));
-  Reach best{0, 0};
+  Extent best{0, 0};
   std::optional<double> from;
   for (int k = 0; k <= steps; ++k) {
     const double s = length * k / steps;
@@ -145,11 +129,11 @@ Reach longest_fit(const Ground& ground, const Swath& piece) {
 /// As much of the piece as the machine fits on, driven one way or the other; absent where too little is left.
 std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
   const Swath back{piece.id, piece.strip, piece.to, piece.from};
-  const Reach forth_fit = longest_fit(ground, piece);
-  const Reach back_fit = longest_fit(ground, back);
+  const Extent forth_fit = longest_fit(ground, piece);
+  const Extent back_fit = longest_fit(ground, back);
   const bool forth = forth_fit.high_m - forth_fit.low_m >= back_fit.high_m - back_fit.low_m - 1e-6;
   const Swath& way = forth ? piece : back;
-  const Reach fit = forth ? forth_fit : back_fit;
+  const Extent fit = forth ? forth_fit : back_fit;
   if (fit.high_m - fit.low_m < kLeastLength * ground.machine.working_width_m) return std::nullopt;
   const Point axis = (1 / distance_m(way.from, way.to)) * (way.to - way.from);
   return Swath{"", 0, way.from + fit.low_m * axis, way.from + fit.high_m * axis};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "parts.hpp"
@@ -20,23 +19,6 @@ struct Axes {
 
   [[nodiscard]] Point at(double a_m, double c_m) const { return a_m * along + c_m * right; }
 };
-
-struct Extent {
-  double low_m = std::numeric_limits<double>::infinity();
-  double high_m = -std::numeric_limits<double>::infinity();
-
-  void take(double value_m) {
-    low_m = std::min(low_m, value_m);
-    high_m = std::max(high_m, value_m);
-  }
-};
-
-Extent extent(const Polygons& areas, Point axis) {
-  Extent out;
-  for (const Polygon& area : areas)
-    for (const Point p : area.shell) out.take(dot(p, axis));
-  return out;
-}
 
 /// One strip's centre, across, and its number: 1, 2, ... to the right from the AB line, 0, -1, ... to its
 /// left.
@@ -77,7 +59,7 @@ std::vector<Extent> wanted(const Polygons& mainland, const Axes& axes, double c_
   std::vector<Extent> parts;
   for (const Polygon& part : intersect(mainland, {Polygon{rectangle, {}}})) {
     if (area_m2(part) < least_m2) continue;
-    parts.push_back(extent({part}, axes.along));
+    parts.push_back(extent_of({part}, axes.along));
   }
   std::sort(parts.begin(), parts.end(), [](const Extent& p, const Extent& q) { return p.low_m < q.low_m; });
   std::vector<Extent> merged;
@@ -169,8 +151,8 @@ std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, 
                                 double heading) {
   const double width = ground.machine.working_width_m;
   const Axes axes{unit(heading), -1 * left_of(unit(heading))};
-  const Extent along = extent(mainland, axes.along);
-  const Extent across = extent(mainland, axes.right);
+  const Extent along = extent_of(mainland, axes.along);
+  const Extent across = extent_of(mainland, axes.right);
   const double spacing = width - options.overlap_m;
   const std::vector<Strip> strips =
       options.ab
