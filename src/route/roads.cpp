@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kTurnsTried = 10;  // from or to one place
 constexpr int kOfOneLine = 2;
 constexpr std::size_t kMostVisited = 100000;
+constexpr double kGreed = 1.3;            // weight of the distance to go: within this factor of the best
 constexpr double kFarthestBeyond_m = 40;  // of a straight run backwards into a pose
 constexpr std::size_t kNoTrack = std::numeric_limits<std::size_t>::max();
 
@@ -157,13 +158,13 @@ void Roads::add_ends(Quest& quest, std::size_t goal) const {
   for (const Path& run : quest.runs_back[goal]) add(start_pose(run), &run);
 }
 
-/// As the crow flies to the nearest goal.
+/// As the crow flies to the nearest goal, times kGreed.
 double Roads::rest_m(Quest& quest, std::size_t node) const {
   if (node >= nodes_.size()) return 0;
   const auto [known, is_new] = quest.rest_m.try_emplace(node, std::numeric_limits<double>::infinity());
   if (is_new)
     for (const Pose& goal : quest.goals)
-      known->second = std::min(known->second, distance_m(pose(node).at, goal.at));
+      known->second = std::min(known->second, kGreed * distance_m(pose(node).at, goal.at));
   return known->second;
 }
 
@@ -202,7 +203,7 @@ std::optional<Arrival> Roads::beyond(const Pose& from, const Frontier& frontier,
   return Arrival{found->arrival.goal, std::move(whole)};
 }
 
-/// A* with the distance as the crow flies.
+/// Weighted A* (Pohl 1970).
 std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goals,
                                   const std::vector<Path>& retreats) {
   Quest quest{goals, {}, {}, {}, {}};
