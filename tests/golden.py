@@ -44,7 +44,8 @@ def parse(path, data):
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
         if not line.strip() or line.startswith("#"):
             continue
-        word, value = (part.strip() for part in line.replace("{data}", str(data)).split(":", 1))
+        word, value = (part.strip() for part in line.split(":", 1))
+        value = value.replace("{data}", shlex.quote(str(data)) if word == "run" else str(data))
         if word == "given":
             given.append(value.split(" ", 1))
         elif word == "run":

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "field_samples.hpp"
 #include "plan_check.hpp"
 #include "selion/field/read.hpp"
 #include "selion/plan/job_file.hpp"
@@ -74,6 +75,25 @@ TEST_CASE("a plan names the obstacles that it keeps clear of", "[plan]") {
   for (const ObstacleRecord& obstacle : planned->file.obstacles)
     told.push_back(obstacle.what + " " + obstacle.name);
   CHECK(told == std::vector<std::string>{"obstacle barn", "no_go orchids", "water pond"});
+}
+
+TEST_CASE("arms too narrow to turn in are worked, backing in or out", "[plan]") {
+  Ring comb{{0, 0}, {100, 0}, {100, 120}};  // teeth 6 m wide and 90 m deep
+  for (int i = 4; i >= 0; --i) {
+    const double x = 20.0 * i;
+    for (const Point p : {Point{x + 14, 120}, Point{x + 14, 30}, Point{x, 30}, Point{x, 120}})
+      comb.push_back(p);
+  }
+  comb.pop_back();  // no tooth left of the last gap
+  const Ring sliver{{0, 0}, {300, 0}, {0, 40}};
+  const Ring shell = GENERATE_COPY(comb, sliver);
+  CAPTURE(shell.size());
+
+  const auto planned = plan(field_of_metres({{shell, {}}}), Job{}, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, Machine{})) == "");
+  CHECK(planned->blocks.at(0).covered_m2 >= 0.88 * planned->blocks.at(0).area_m2);
 }
 
 TEST_CASE("a machine that may not reverse never does", "[plan]") {

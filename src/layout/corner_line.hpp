@@ -50,7 +50,6 @@ class CornerLine {
   bool merge(std::size_t i);
   [[nodiscard]] Path corner_path(std::size_t i) const;
   [[nodiscard]] Path edge_path(std::size_t i) const;
-  [[nodiscard]] std::vector<Path> edge_steps(std::size_t i) const;
   void chamfer(std::size_t i, std::vector<Vertex>& into) const;
   void swing_out(std::size_t i, std::vector<Vertex>& into) const;
 

@@ -4,10 +4,12 @@
 
 #include "corner_line.hpp"
 #include "selion/core/angle.hpp"
+#include "selion/geometry/simplify.hpp"
 
 namespace selion {
 namespace {
 
+constexpr double kFollow_m = 0.02;  // how far a run may stray from the ring
 constexpr int kMostRepairs = 60;
 constexpr double kLeastRun = 1;  // of the working width: shorter runs are not worth a pass
 
@@ -27,45 +29,30 @@ Path straightened(const Path& path) {
   return out;
 }
 
-}  // namespace
-
-bool CornerLine::fits() const { return selion::fits(ground_.space, ground_.footprint, path()); }
-
-/// Edge i in steps short enough that a run ends close to what it cannot pass.
-std::vector<Path> CornerLine::edge_steps(std::size_t i) const {
+/// The line from a to b in steps short enough that a run ends close to what it cannot pass.
+std::vector<Path> steps_along(Point a, Point b) {
   constexpr double kStep_m = 0.5;
+  const int count = std::max(1, static_cast<int>(std::ceil(distance_m(a, b) / kStep_m)));
+  const Point step = (1.0 / count) * (b - a);
   std::vector<Path> steps;
-  for (const Stretch& whole : edge_path(i)) {
-    const int count = std::max(1, static_cast<int>(std::ceil(whole.curve.length_m / kStep_m)));
-    const Point along = (whole.curve.length_m / count) * unit(whole.curve.heading_rad);
-    for (int k = 0; k < count; ++k)
-      steps.push_back(
-          {{line(whole.curve.start + static_cast<double>(k) * along, whole.curve.start + (k + 1.0) * along),
-            Gear::forward}});
-  }
+  for (int k = 0; k < count; ++k)
+    steps.push_back({{line(a + static_cast<double>(k) * step, a + (k + 1.0) * step), Gear::forward}});
   return steps;
 }
 
-std::vector<HeadlandRun> CornerLine::fitting_runs() const {
-  std::vector<Path> steps;
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    for (Path& step : edge_steps(i)) steps.push_back(std::move(step));
-    steps.push_back(corner_path(next(i)));
-  }
-  const auto holds = [this](const Path& step) {
-    return selion::fits(ground_.space, ground_.footprint, step);
-  };
-  const auto gap = std::find_if_not(steps.begin(), steps.end(), holds);
-  std::rotate(steps.begin(), gap, steps.end());  // so that no run crosses the seam
+bool holds(const Ground& ground, const Path& step) { return fits(ground.space, ground.footprint, step); }
+
+/// What can be driven of the steps without a gap, where that is worth a pass.
+std::vector<HeadlandRun> runs_of(const Ground& ground, const std::vector<Path>& steps) {
   std::vector<HeadlandRun> runs;
   Path run;
   const auto close = [&] {
-    if (length_m(run) >= kLeastRun * ground_.machine.working_width_m)
+    if (length_m(run) >= kLeastRun * ground.machine.working_width_m)
       runs.push_back({straightened(run), false});
     run.clear();
   };
   for (const Path& step : steps) {
-    if (holds(step))
+    if (holds(ground, step))
       append(run, step);
     else
       close();
@@ -74,15 +61,43 @@ std::vector<HeadlandRun> CornerLine::fitting_runs() const {
   return runs;
 }
 
+/// Where no way leads round: each edge for itself.
+std::vector<HeadlandRun> runs_on_edges(const Ground& ground, const Ring& ring) {
+  std::vector<HeadlandRun> runs;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    if (distance_m(ring[j], ring[i]) < kLeastRun * ground.machine.working_width_m) continue;
+    for (HeadlandRun& run : runs_of(ground, steps_along(ring[j], ring[i]))) runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+}  // namespace
+
+bool CornerLine::fits() const { return holds(ground_, path()); }
+
+std::vector<HeadlandRun> CornerLine::fitting_runs() const {
+  std::vector<Path> steps;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    for (const Stretch& whole : edge_path(i))
+      for (Path& step : steps_along(whole.curve.start, end_of(whole.curve).at))
+        steps.push_back(std::move(step));
+    steps.push_back(corner_path(next(i)));
+  }
+  const auto gap =
+      std::find_if_not(steps.begin(), steps.end(), [this](const Path& step) { return holds(ground_, step); });
+  std::rotate(steps.begin(), gap, steps.end());  // so that no run crosses the seam
+  return runs_of(ground_, steps);
+}
+
 std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring) {
   CornerLine corners{ground, ring};
   for (int round = 0; round < kMostRepairs; ++round) {
-    if (!corners.make_room()) return {};
+    if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, kFollow_m));
     corners.make_gentle();
     if (corners.fits()) return {{corners.path(), true}};
     if (!corners.repair()) break;
   }
-  return corners.make_room() ? corners.fitting_runs() : std::vector<HeadlandRun>{};
+  return corners.make_room() ? corners.fitting_runs() : runs_on_edges(ground, simplified(ring, kFollow_m));
 }
 
 }  // namespace selion

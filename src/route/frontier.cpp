@@ -81,6 +81,13 @@ Path Frontier::way_to(std::size_t node) const {
   return way;
 }
 
+std::optional<std::size_t> Frontier::cheapest_from(std::size_t first) const {
+  std::optional<std::size_t> best;
+  for (const std::size_t node : reached())
+    if (node >= first && (!best || cost_m(node) < cost_m(*best))) best = node;
+  return best;
+}
+
 std::vector<std::size_t> Frontier::reached() const {
   std::vector<std::size_t> nodes;
   for (const auto& [node, how] : reached_) nodes.push_back(node);

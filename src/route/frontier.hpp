@@ -60,6 +60,8 @@ class Frontier {
   /// Has the node been reached more cheaply since?
   [[nodiscard]] bool outdated(const Entry& entry, double rest_m) const;
   [[nodiscard]] Path way_to(std::size_t node) const;
+  /// Of the nodes from `first` on, the one reached most cheaply, if any.
+  [[nodiscard]] std::optional<std::size_t> cheapest_from(std::size_t first) const;
   /// All nodes reached, in order.
   [[nodiscard]] std::vector<std::size_t> reached() const;
 

@@ -13,8 +13,9 @@ namespace {
 constexpr std::size_t kTurnsTried = 10;  // from or to one place
 constexpr int kOfOneLine = 2;
 constexpr std::size_t kMostVisited = 100000;
-constexpr double kGreed = 1.3;            // weight of the distance to go: within this factor of the best
-constexpr double kFarthestBeyond_m = 40;  // of a straight run backwards into a pose
+constexpr double kGreed = 1.3;             // weight of the distance to go: within this factor of the best
+constexpr std::size_t kBackedInto = 4;     // goals: of more, some can be driven into forwards
+constexpr double kFarthestBeyond_m = 150;  // of a straight run backwards into a pose
 constexpr std::size_t kNoTrack = std::numeric_limits<std::size_t>::max();
 
 long long cell_key(double x, double y) {
@@ -134,11 +135,9 @@ void Roads::add_starts(Quest& quest, const Pose& from, const std::vector<Path>& 
 std::vector<Path> Roads::runs_back_into(const Pose& to) const {
   std::vector<Path> runs;
   if (!terrain_.may_reverse) return runs;
-  double ahead_m = 1 / terrain_.limits.curvature_per_m;
-  while (ahead_m < kFarthestBeyond_m) {
-    const Point beyond = to.at + ahead_m * unit(to.heading_rad);
-    ahead_m *= 2;
-    Path run{{line(beyond, to.at), Gear::reverse}};
+  const double step_m = 2 / terrain_.limits.curvature_per_m;
+  for (int k = 1; k * step_m < kFarthestBeyond_m; ++k) {
+    Path run{{line(to.at + k * step_m * unit(to.heading_rad), to.at), Gear::reverse}};
     if (!fits(terrain_.space, terrain_.footprint, run)) break;
     runs.push_back(std::move(run));
   }
@@ -208,7 +207,8 @@ std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goa
                                   const std::vector<Path>& retreats) {
   Quest quest{goals, {}, {}, {}, {}};
   add_starts(quest, from, retreats);
-  for (const Pose& goal : goals) quest.runs_back.push_back(runs_back_into(goal));
+  for (const Pose& goal : goals)
+    quest.runs_back.push_back(goals.size() <= kBackedInto ? runs_back_into(goal) : std::vector<Path>{});
   for (std::size_t g = 0; g < goals.size(); ++g) add_ends(quest, g);
   Frontier frontier;
   for (Link& link : quest.starts) frontier.propose(Frontier::kStart, link, rest_m(quest, link.to));
@@ -218,6 +218,8 @@ std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goa
       return Arrival{next.node - nodes_.size(), frontier.way_to(next.node)};
     expand(frontier, next, quest);
   }
+  if (const auto goal = frontier.cheapest_from(nodes_.size()))
+    return Arrival{*goal - nodes_.size(), frontier.way_to(*goal)};
   return beyond(from, frontier, goals, retreats);
 }
 
