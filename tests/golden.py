@@ -88,7 +88,8 @@ def execute(run, selion, scratch):
 
 
 def interrupt(process, seconds):
-    """Sends SIGINT once the program, still running, watches for it; before that it would only be killed."""
+    """Sends SIGINT once the program, still running, watches for it (before that it would only be killed) and waits
+    for its end, with its standard input still open: closed, it would be another reason to end."""
     mask = 1 << (signal.SIGINT - 1)
     status = pathlib.Path(f"/proc/{process.pid}/status")
     while process.poll() is None:
@@ -98,6 +99,7 @@ def interrupt(process, seconds):
         time.sleep(0.01)
     time.sleep(seconds)
     process.send_signal(signal.SIGINT)
+    process.wait(timeout=60)
 
 
 def holds(word, value, outcome, scratch):
