@@ -95,7 +95,7 @@ TEST_CASE("the headland's area is its share of the field", "[output][map_text]")
 TEST_CASE("small areas and short times keep a figure", "[output][map_text]") {
   Plan plan = one_block();
   plan.blocks[0].uncovered.resize(1);
-  plan.blocks[0].uncovered[0].area_m2 = 7.4;
+  plan.blocks[0].covered_m2 = plan.blocks[0].area_m2 - 7.4;
   plan.blocks[0].work_s = 41.2;
   plan.blocks[0].turn_s = 18.2;
   plan.blocks[0].transfer_s = 0;

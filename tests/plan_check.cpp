@@ -179,7 +179,8 @@ class Check {
 
   void times(const TrajectoryRecord& t) {
     for (std::size_t i = 1; i < t.t_s.size(); ++i)
-      if (t.t_s[i] <= t.t_s[i - 1]) return say("time stands still at sample " + std::to_string(i));
+      if (std::llround(t.t_s[i] * 1e4) <= std::llround(t.t_s[i - 1] * 1e4))  // as the file writes them
+        return say("time stands still at sample " + std::to_string(i));
   }
 
   /// A sample stands at the end of every piece, in order.

@@ -96,6 +96,16 @@ TEST_CASE("arms too narrow to turn in are worked, backing in or out", "[plan]") 
   CHECK(planned->blocks.at(0).covered_m2 >= 0.88 * planned->blocks.at(0).area_m2);
 }
 
+TEST_CASE("no piece is a crumb and no two samples share a time", "[plan]") {
+  Field field =
+      field_of_metres({{{{0, 0}, {160, 0}, {160, 120}, {0, 120}}, {{{60, 6}, {60, 20}, {90, 20}, {90, 6}}}}});
+  const auto planned = plan(field, Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, Machine{})) == "");
+  for (const TrajectoryRecord& t : planned->file.trajectories)
+    for (const PieceRecord& piece : t.pieces) CHECK(piece.length_m >= 5e-7);
+}
+
 TEST_CASE("a machine that may not reverse never does", "[plan]") {
   const Job job = job_of_toml("[machine]\npreset = \"robot-3m\"\nmay_reverse = false\n");
   const auto planned = plan(sample("l_shape.geojson"), job, Repair::notes_only, no_progress);

@@ -89,10 +89,8 @@ double driven_s(const BlockReport& block) { return block.work_s + block.turn_s +
 
 double uncovered_m2(const std::vector<BlockReport>& blocks) {
   double area = 0;
-  for (const BlockReport& block : blocks) {
-    if (status_of(block) == Status::refused) area += block.area_m2;
-    for (const Uncovered& place : block.uncovered) area += place.area_m2;
-  }
+  for (const BlockReport& block : blocks)
+    area += block.area_m2 - (status_of(block) == Status::refused ? 0 : block.covered_m2);
   return area;
 }
 

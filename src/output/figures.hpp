@@ -29,7 +29,7 @@ BlockReport total(const std::vector<BlockReport>& blocks);
 
 double driven_m(const BlockReport& block);
 double driven_s(const BlockReport& block);
-/// The places listed as uncovered, and all of a refused block.
+/// What is not covered, all of a refused block included.
 double uncovered_m2(const std::vector<BlockReport>& blocks);
 
 /// Shortest and longest of the swaths that are driven, pockets left aside.

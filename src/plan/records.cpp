@@ -66,6 +66,20 @@ PieceRecord record_of(const DrivePiece& piece) {
   return record;
 }
 
+/// Of samples at one time as the file writes it, the last one.
+std::vector<Sample> distinct(const std::vector<Sample>& samples) {
+  constexpr double kTicks_per_s = 1e4;  // four decimals
+  std::vector<Sample> kept;
+  for (const Sample& sample : samples) {
+    if (!kept.empty() &&
+        std::llround(sample.t_s * kTicks_per_s) <= std::llround(kept.back().t_s * kTicks_per_s))
+      kept.back() = sample;
+    else
+      kept.push_back(sample);
+  }
+  return kept;
+}
+
 TrajectoryRecord trajectory_of(int block, const Drive& drive, const LocalFrame& frame,
                                const Machine& machine) {
   TrajectoryRecord record;
@@ -75,7 +89,7 @@ TrajectoryRecord trajectory_of(int block, const Drive& drive, const LocalFrame& 
     record.pieces.push_back(record_of(piece));
     record.length_m += piece.leg.stretch.curve.length_m;
   }
-  for (const Sample& sample : drive.samples) {
+  for (const Sample& sample : distinct(drive.samples)) {
     record.line.push_back(frame.to_lonlat(sample.at));
     record.t_s.push_back(sample.t_s);
     record.heading_rad.push_back(sample.heading_rad);

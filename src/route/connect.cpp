@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "selion/core/angle.hpp"
+
 namespace selion {
 namespace {
 
@@ -12,6 +14,20 @@ constexpr double kCostStep_m = 3;
 /// Longer than this, a single turn is no turn any more but a wander over the field.
 double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) {
   return 20 / terrain.limits.curvature_per_m + 2 * distance_m(from.at, to.at);
+}
+
+/// Nothing, or straight on, where the goal lies there but for a tenth of what joints may miss: swings to mend
+/// that would be crumbs.
+std::optional<Path> straight_on(const Pose& from, const Pose& to) {
+  constexpr double kMiss = 1e-7;  // m, rad
+  const Point way = to.at - from.at;
+  const Point along = unit(from.heading_rad);
+  const double ahead_m = dot(way, along);
+  const bool in_line =
+      std::abs(cross(along, way)) < kMiss && std::abs(wrapped(to.heading_rad - from.heading_rad)) < kMiss;
+  if (!in_line || ahead_m < -kMiss) return std::nullopt;
+  if (ahead_m < kMiss) return Path{};
+  return Path{{{from.at, from.heading_rad, 0, 0, ahead_m}, Gear::forward}};
 }
 
 }  // namespace
@@ -33,6 +49,8 @@ double cost_m(const Terrain& terrain, const Path& path) {
 }
 
 std::optional<Path> direct_turn(const Terrain& terrain, const Pose& from, const Pose& to) {
+  if (auto straight = straight_on(from, to))
+    return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
   const double longest = longest_turn_m(terrain, from, to);
   for (Path& turn : connections(from, to, terrain.limits)) {
     if (length_m(turn) > longest) break;

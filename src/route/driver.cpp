@@ -10,6 +10,13 @@ namespace {
 constexpr double kNoBetter_m = 1e-6;
 constexpr double kFarRound = 3;  // a way this many turns long is worth a search for a shorter one
 
+/// Without stretches that are nothing but rounding.
+Path without_crumbs(Path path) {
+  constexpr double kCrumb_m = 5e-7;  // half of what joints may miss
+  std::erase_if(path, [](const Stretch& stretch) { return stretch.curve.length_m < kCrumb_m; });
+  return path;
+}
+
 }  // namespace
 
 Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
@@ -37,8 +44,8 @@ std::vector<Path> Driver::ways_back() const {
 
 void Driver::work(const Task& task, const Path& way, const Path& work) {
   const PieceKind kind = length_m(way) <= longest_turn_m() ? PieceKind::turn : PieceKind::transfer;
-  if (!way.empty()) driven_.push_back({kind, "", way});
-  driven_.push_back({task.kind, task.id, work});
+  if (Path clean = without_crumbs(way); !clean.empty()) driven_.push_back({kind, "", std::move(clean)});
+  driven_.push_back({task.kind, task.id, without_crumbs(work)});
   here_ = end_pose(work);
 }
 
@@ -96,7 +103,8 @@ bool Driver::drive_to(const Task& task) {
 bool Driver::drive_out_to(const Pose& goal) {
   std::optional<Approach> best = approach({goal});
   if (!best) return false;
-  driven_.push_back({PieceKind::transfer, "", std::move(best->way)});
+  if (Path clean = without_crumbs(std::move(best->way)); !clean.empty())
+    driven_.push_back({PieceKind::transfer, "", std::move(clean)});
   here_ = goal;
   return true;
 }
