@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kGap_m = 0.005;  // narrower than twice this is rounding between sweeps, not unworked ground
 
-/// The areas of some pieces: each for itself, summed, and all together.
+/// The areas of some pieces: each step of the tool for itself, summed, and all together.
 struct Swept {
   double sum_m2 = 0;
   Polygons together;
@@ -19,9 +19,14 @@ struct Swept {
 
 class Tally {
  public:
-  void add(Polygons piece) {
-    swept_.sum_m2 += area_m2(piece);
-    for (Polygon& part : piece) all_.push_back(std::move(part));
+  /// What the tool sweeps on the path: where it comes over its own ground again, that counts again.
+  void add(const Footprint& footprint, const Path& path) {
+    Polygons steps;
+    for (Ring& ring : swept_by_tool(footprint, path)) {
+      swept_.sum_m2 += signed_area_m2(ring);
+      steps.push_back({std::move(ring), {}});
+    }
+    for (Polygon& part : unite(steps)) all_.push_back(std::move(part));
   }
   Swept united() {
     swept_.together = unite(all_);
@@ -32,12 +37,6 @@ class Tally {
   Swept swept_;
   Polygons all_;
 };
-
-Polygons swept_by(const Footprint& footprint, const Path& path) {
-  Polygons pieces;
-  for (Ring& ring : swept_by_tool(footprint, path)) pieces.push_back({std::move(ring), {}});
-  return unite(pieces);
-}
 
 Polygons joined(const Polygons& a, const Polygons& b) {
   Polygons both = a;
@@ -56,9 +55,9 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
   Tally pocket_tally;
   for (const RoutePiece& piece : route.pieces) {
     if (piece.kind == PieceKind::headland_pass)
-      headland_tally.add(swept_by(footprint, piece.path));
+      headland_tally.add(footprint, piece.path);
     else if (piece.kind == PieceKind::swath)
-      (pocket_ids.contains(piece.ref) ? pocket_tally : swath_tally).add(swept_by(footprint, piece.path));
+      (pocket_ids.contains(piece.ref) ? pocket_tally : swath_tally).add(footprint, piece.path);
   }
   const Swept headland = headland_tally.united();
   const Swept swaths = swath_tally.united();
