@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kGateRoom_m = 0.05;  // between the body and the border at the gate
 
+std::string called(const BlockGate& gate) { return gate.name.empty() ? "the gate" : "gate " + gate.name; }
+
 /// `room_m` inside the gate; absent where the machine does not fit there.
 std::optional<Pose> at_gate(const Driver& driver, const BlockGate& gate, double room_m, double heading_rad) {
   const Pose pose{gate.at + (room_m + kGateRoom_m) * unit(gate.inward_rad), heading_rad};
@@ -34,7 +36,7 @@ std::optional<Pose> exit_at(const Driver& driver, const BlockGate& gate) {
 
 std::optional<Infeasible> too_narrow(const BlockGate& gate, const Machine& machine) {
   if (!gate.width_m || *gate.width_m >= machine.body_width_m) return std::nullopt;
-  return Infeasible{"gate " + gate.name + " is " + fixed(*gate.width_m, 2) + " m wide, the machine's body " +
+  return Infeasible{called(gate) + " is " + fixed(*gate.width_m, 2) + " m wide, the machine's body " +
                     fixed(machine.body_width_m, 2) + " m"};
 }
 
@@ -49,14 +51,14 @@ void work_all(Work& work, HeadlandOrder headland, const Progress& progress) {
 void enter(Driver& driver, const BlockGate& gate, std::vector<std::string>& notes) {
   driver.stand_at(entry_at(driver, gate));
   if (!driver.here())
-    notes.push_back("the machine does not fit inside gate " + gate.name +
+    notes.push_back("the machine does not fit inside " + called(gate) +
                     " square to the border; the drive starts elsewhere");
 }
 
 void leave(Driver& driver, const BlockGate& gate, std::vector<std::string>& notes) {
   const auto out = exit_at(driver, gate);
   if (out && !driver.drive_out_to(*out))
-    notes.push_back("no way back to gate " + gate.name + " was found; the drive ends elsewhere");
+    notes.push_back("no way back to " + called(gate) + " was found; the drive ends elsewhere");
 }
 
 bool works_a_swath(const std::vector<RoutePiece>& pieces) {
