@@ -35,6 +35,7 @@ std::vector<Path> steps_along(Point a, Point b) {
   const int count = std::max(1, static_cast<int>(std::ceil(distance_m(a, b) / kStep_m)));
   const Point step = (1.0 / count) * (b - a);
   std::vector<Path> steps;
+  steps.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     steps.push_back({{line(a + static_cast<double>(k) * step, a + (k + 1.0) * step), Gear::forward}});
   return steps;
