@@ -6,6 +6,7 @@
 
 #include "field_samples.hpp"
 #include "plan_check.hpp"
+#include "selion/core/error.hpp"
 #include "selion/field/read.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
@@ -66,6 +67,46 @@ TEST_CASE("every preset drives every field of our own without a fault", "[plan]"
     return;
   }
   CHECK(joined(faults_of(*planned, job.machine)) == "");
+}
+
+TEST_CASE("a heading that was asked for is driven that way, not turned about", "[plan]") {
+  const double bearing = GENERATE(0.0, 33.3, 90.0, 270.0);
+  const Job job = job_of_toml("[layout]\ndirection = \"" + std::to_string(bearing) + "\"\n");
+  const auto planned = plan(sample("f1.geojson"), job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  const double off = planned->blocks.at(0).bearing_deg - bearing;
+  CHECK(std::abs(std::remainder(off, 360)) < 0.01);  // the meridians of A and of the field's centre differ
+}
+
+TEST_CASE("a gate or an AB line that cannot be meant is an error", "[plan]") {
+  const auto refusal = [](const std::string& field, const std::string& toml) {
+    try {
+      static_cast<void>(plan(sample(field), job_of_toml(toml), Repair::notes_only, no_progress));
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  CHECK(refusal("f1.geojson", "[route]\nstart = \"gate:1\"\n").find("it has none") != std::string::npos);
+  CHECK(refusal("gates_obstacles.geojson", "[route]\nstart = \"gate:7\"\n").find("gate:2 (east gate)") !=
+        std::string::npos);
+  CHECK(refusal("f1.geojson", "[layout]\nab = [46.3, 3.4, 46.31, 3.4]\n").find("swapped") !=
+        std::string::npos);
+  CHECK(refusal("f1.geojson", "[frame]\ncrs = \"EPSG:32760\"\n").find("stretches") != std::string::npos);
+}
+
+TEST_CASE("a part in the hole of another part is planned too", "[plan]") {
+  const auto square = [](double from, double to) {
+    return Ring{{from, from}, {to, from}, {to, to}, {from, to}};
+  };
+  Ring hole = square(50, 250);
+  std::reverse(hole.begin(), hole.end());
+  const auto planned = plan(field_of_metres({{square(0, 300), {hole}}, {square(75, 225), {}}}), Job{},
+                            Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  REQUIRE(planned->blocks.size() == 2);
+  CHECK(planned->blocks[1].area_m2 == Approx(150 * 150).epsilon(1e-3));
+  CHECK(planned->blocks[1].covered_m2 >= 0.95 * planned->blocks[1].area_m2);
 }
 
 TEST_CASE("a plan names the obstacles that it keeps clear of", "[plan]") {

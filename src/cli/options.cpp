@@ -91,7 +91,7 @@ void add_flag_setting(JobSettings& settings, const JobKey& key, const std::strin
   } catch (const InputError& error) {
     const bool is_machine = key.name == "preset";
     throw InputError{std::string{key.flag} + ": " + error.what() +
-                     (is_machine ? " For a machine of your own give its file: NAME.toml" : "")};
+                     (is_machine ? "; for a machine of your own give its file: NAME.toml" : "")};
   }
 }
 

@@ -134,7 +134,8 @@ std::vector<BlockObstacle> obstacles_beside(const Polygon& area, const Kept& kep
 
 Blocks blocks_of(const Field& field, const LocalFrame& frame, const BlockOptions& options) {
   const Cleaned clean = cleaned(field, frame, options.repair);
-  const Kept kept = kept_clear(field, frame, clean.holes, options);
+  // a part may lie in another one's hole
+  const Kept kept = kept_clear(field, frame, subtract(clean.holes, clean.parts), options);
   const double reach_m =
       std::max(options.obstacle_clearance_m, options.water_margin_m) * 1.5 + 0.01;  // around corners too
   std::vector<std::string> notes;

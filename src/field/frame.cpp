@@ -13,6 +13,7 @@
 
 #include "proj_handles.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "selion/core/units.hpp"
 #include "text.hpp"
 
@@ -140,6 +141,23 @@ LocalFrame LocalFrame::centred(LonLat origin) {
           origin};
 }
 
+namespace {
+
+/// A projection made for another place would make every width and length wrong.
+void check_scale(const LocalFrame& frame, const std::string& code, LonLat origin) {
+  constexpr double kMost = 0.002;  // national grids and UTM zones stay within 0.1 %
+  constexpr double kSpan_m = 200;
+  const LocalFrame exact = LocalFrame::centred(origin);
+  for (const Point to : {Point{kSpan_m, 0}, Point{0, kSpan_m}}) {
+    const double stretch = length_m(frame.to_local(exact.to_lonlat(to))) / kSpan_m - 1;
+    if (!(std::abs(stretch) <= kMost))
+      throw InputError{"frame CRS '" + code + "' stretches lengths by " + fixed(100 * stretch, 2) + " % at " +
+                       place(origin) + "; give one made for that place, or auto"};
+  }
+}
+
+}  // namespace
+
 LocalFrame LocalFrame::of_crs(const std::string& code, LonLat origin) {
   const ProjContext context = make_proj_context();
   const std::string proj = proj_string_of(context, code, origin);
@@ -150,6 +168,7 @@ LocalFrame LocalFrame::of_crs(const std::string& code, LonLat origin) {
   constexpr double kMoved_m = 1e-6;
   if (!(length_m(frame.to_local(origin)) < kMoved_m))
     throw InputError{"frame CRS '" + code + "' takes no false origin; give another, or auto"};
+  check_scale(frame, code, origin);
   return frame;
 }
 

@@ -5,8 +5,8 @@
 
 namespace selion {
 
-Extent extent_of(const Polygons& areas, Point axis) {
-  Extent out;
+AxisExtent extent_of(const Polygons& areas, Point axis) {
+  AxisExtent out;
   for (const Polygon& area : areas)
     for (const Point p : area.shell) out.take(dot(p, axis));
   return out;

@@ -12,7 +12,7 @@
 namespace selion {
 
 /// From where to where something lies along an axis.
-struct Extent {
+struct AxisExtent {
   double low_m = std::numeric_limits<double>::infinity();
   double high_m = -std::numeric_limits<double>::infinity();
 
@@ -21,7 +21,7 @@ struct Extent {
     high_m = std::max(high_m, value_m);
   }
 };
-Extent extent_of(const Polygons& areas, Point axis);
+AxisExtent extent_of(const Polygons& areas, Point axis);
 
 /// The distances and limits that all parts of a linear layout share.
 struct Ground {

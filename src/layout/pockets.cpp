@@ -44,7 +44,7 @@ double long_heading(const Polygon& part) {
 
 /// What of `part` lies under the strip a-b: parts closer than a width belong to one piece.
 struct Find {
-  Extent along;
+  AxisExtent along;
   double area_m2 = 0;
 };
 std::vector<Find> finds_under(const Polygon& part, Point a, Point b, double width_m) {
@@ -85,8 +85,8 @@ std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
   const double width = ground.machine.working_width_m;
   const Point axis = unit(long_heading(part));
   const Point side = left_of(axis);
-  const Extent along = extent_of({part}, axis);
-  const Extent across = extent_of({part}, side);
+  const AxisExtent along = extent_of({part}, axis);
+  const AxisExtent across = extent_of({part}, side);
   const double span = across.high_m - across.low_m;
   const int count = std::max(1, static_cast<int>(std::ceil((span - kSliver_m) / width)));
   std::vector<Swath> pieces;
@@ -106,12 +106,12 @@ std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
 }
 
 /// The longest run of the piece on which the machine fits, driven from its `from` side.
-Extent longest_fit(const Ground& ground, const Swath& piece) {
+AxisExtent longest_fit(const Ground& ground, const Swath& piece) {
   constexpr double kStep_m = 0.25;
   const double length = distance_m(piece.from, piece.to);
   const Point axis = (1 / length) * (piece.to - piece.from);
   const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep_m)));
-  Extent best{0, 0};
+  AxisExtent best{0, 0};
   std::optional<double> from;
   for (int k = 0; k <= steps; ++k) {
     const double s = length * k / steps;
@@ -129,11 +129,11 @@ Extent longest_fit(const Ground& ground, const Swath& piece) {
 /// As much of the piece as the machine fits on, driven one way or the other; absent where too little is left.
 std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
   const Swath back{piece.id, piece.strip, piece.to, piece.from};
-  const Extent forth_fit = longest_fit(ground, piece);
-  const Extent back_fit = longest_fit(ground, back);
+  const AxisExtent forth_fit = longest_fit(ground, piece);
+  const AxisExtent back_fit = longest_fit(ground, back);
   const bool forth = forth_fit.high_m - forth_fit.low_m >= back_fit.high_m - back_fit.low_m - 1e-6;
   const Swath& way = forth ? piece : back;
-  const Extent fit = forth ? forth_fit : back_fit;
+  const AxisExtent fit = forth ? forth_fit : back_fit;
   if (fit.high_m - fit.low_m < kLeastLength * ground.machine.working_width_m) return std::nullopt;
   const Point axis = (1 / distance_m(way.from, way.to)) * (way.to - way.from);
   return Swath{"", 0, way.from + fit.low_m * axis, way.from + fit.high_m * axis};

@@ -27,7 +27,7 @@ struct Strip {
   double c_m = 0;
 };
 
-std::vector<Strip> strips_from_line(double line_m, Extent across, double width_m, double spacing_m) {
+std::vector<Strip> strips_from_line(double line_m, AxisExtent across, double width_m, double spacing_m) {
   std::vector<Strip> strips;
   const auto first = static_cast<int>(std::floor((across.low_m - width_m / 2 - line_m) / spacing_m)) + 1;
   for (int k = first; line_m + k * spacing_m - width_m / 2 < across.high_m; ++k)
@@ -36,7 +36,7 @@ std::vector<Strip> strips_from_line(double line_m, Extent across, double width_m
 }
 
 /// From the low side; the last one is shifted back to end with the area.
-std::vector<Strip> strips_to_fit(Extent across, double width_m, double spacing_m) {
+std::vector<Strip> strips_to_fit(AxisExtent across, double width_m, double spacing_m) {
   constexpr double kSame_m = 1e-6;
   const double span = across.high_m - across.low_m;
   if (span <= width_m + kSame_m) return {{1, (across.low_m + across.high_m) / 2}};
@@ -51,19 +51,20 @@ std::vector<Strip> strips_to_fit(Extent across, double width_m, double spacing_m
 
 /// What of the strip is to be worked, along its axis: each part's full extent, so that slanted ends leave no
 /// wedge.
-std::vector<Extent> wanted(const Polygons& mainland, const Axes& axes, double c_m, Extent along,
-                           double width_m) {
+std::vector<AxisExtent> wanted(const Polygons& mainland, const Axes& axes, double c_m, AxisExtent along,
+                               double width_m) {
   const double least_m2 = 0.02 * width_m * width_m;  // not worth a pass
   const Ring rectangle =
       strip(axes.at(along.low_m - kRunPast_m, c_m), axes.at(along.high_m + kRunPast_m, c_m), width_m);
-  std::vector<Extent> parts;
+  std::vector<AxisExtent> parts;
   for (const Polygon& part : intersect(mainland, {Polygon{rectangle, {}}})) {
     if (area_m2(part) < least_m2) continue;
     parts.push_back(extent_of({part}, axes.along));
   }
-  std::sort(parts.begin(), parts.end(), [](const Extent& p, const Extent& q) { return p.low_m < q.low_m; });
-  std::vector<Extent> merged;
-  for (const Extent& part : parts) {
+  std::sort(parts.begin(), parts.end(),
+            [](const AxisExtent& p, const AxisExtent& q) { return p.low_m < q.low_m; });
+  std::vector<AxisExtent> merged;
+  for (const AxisExtent& part : parts) {
     if (!merged.empty() && part.low_m - merged.back().high_m < width_m)
       merged.back().take(part.high_m);
     else
@@ -112,7 +113,7 @@ std::vector<Span1> drivable_spans(const Ground& ground, Point a, Point b) {
   std::vector<Span1> blocked;
   for (const Polygon& part :
        subtract({Polygon{strip(a, b, ground.machine.working_width_m - 2e-3), {}}}, ground.workable)) {
-    Extent span;
+    AxisExtent span;
     for (const Point p : part.shell) span.take(dot(p - a, along));
     blocked.push_back({span.low_m, span.high_m});
   }
@@ -132,9 +133,9 @@ namespace {
 
 /// What the machine can drive of the strip's parts, cut where something is in the way.
 std::vector<Swath> pieces_on(const Ground& ground, const Axes& axes, const Strip& row,
-                             const std::vector<Extent>& parts) {
+                             const std::vector<AxisExtent>& parts) {
   std::vector<Swath> pieces;
-  for (const Extent& part : parts) {
+  for (const AxisExtent& part : parts) {
     const Point a = axes.at(part.low_m, row.c_m);
     const Point b = axes.at(part.high_m, row.c_m);
     for (const Span1& span : drivable_spans(ground, a, b))
@@ -151,8 +152,8 @@ std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, 
                                 double heading) {
   const double width = ground.machine.working_width_m;
   const Axes axes{unit(heading), -1 * left_of(unit(heading))};
-  const Extent along = extent_of(mainland, axes.along);
-  const Extent across = extent_of(mainland, axes.right);
+  const AxisExtent along = extent_of(mainland, axes.along);
+  const AxisExtent across = extent_of(mainland, axes.right);
   const double spacing = width - options.overlap_m;
   const std::vector<Strip> strips =
       options.ab
@@ -181,11 +182,12 @@ std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, co
     ab = *options.ab;
     return swaths_along(ground, mainland, options, heading_rad(ab.b - ab.a));
   }
-  const double heading = options.along.radians();
+  const double heading = options.heading_rad.value_or(options.along.radians());
   std::vector<Swath> swaths = swaths_along(ground, mainland, options, heading);
   if (swaths.empty()) return swaths;
   // numbered from the longer side: a long AB line, and the shifted last strip where it overlaps least
-  if (length_of_strip_m(swaths, swaths.back().strip) > length_of_strip_m(swaths, swaths.front().strip) + 1)
+  if (!options.heading_rad &&
+      length_of_strip_m(swaths, swaths.back().strip) > length_of_strip_m(swaths, swaths.front().strip) + 1)
     swaths = swaths_along(ground, mainland, options, heading + std::numbers::pi);
   const auto last = std::find_if(swaths.rbegin(), swaths.rend(),
                                  [&](const Swath& swath) { return swath.strip == swaths.front().strip; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -50,11 +51,21 @@ void draw_gates(MapSheet& sheet) {
   });
 }
 
+/// The A and the B corner, where one of them is on the sheet.
+std::vector<std::array<PagePoint, 2>> ab_lines_in_sight(const MapSheet& sheet) {
+  std::vector<std::array<PagePoint, 2>> lines;
+  for (const AbRecord& ab : sheet.plan.ab_lines) {
+    const std::array<PagePoint, 2> line{sheet.view.at(ab.a), sheet.view.at(ab.b)};
+    if (holds(sheet.view.frame, line[0]) || holds(sheet.view.frame, line[1])) lines.push_back(line);
+  }
+  return lines;
+}
+
 void draw_ab_lines(MapSheet& sheet) {
+  const auto lines = ab_lines_in_sight(sheet);
+  if (lines.empty()) return;
   in_layer(sheet, Mark::ab, [&] {
-    for (const AbRecord& ab : sheet.plan.ab_lines) {
-      const PagePoint a = sheet.view.at(ab.a);
-      const PagePoint b = sheet.view.at(ab.b);
+    for (const auto& [a, b] : lines) {
       draw_lines(sheet.page, Mark::ab, {{a, b}});
       for (const PagePoint corner : {a, b}) {
         if (!holds(sheet.view.frame, corner)) continue;

@@ -7,6 +7,7 @@
 
 #include "coverage.hpp"
 #include "selion/core/format.hpp"
+#include "selion/core/units.hpp"
 #include "selion/core/version.hpp"
 #include "selion/plan/job_file.hpp"
 
@@ -31,21 +32,25 @@ std::string cleaned_text(const LocalFrame& frame, const Blocks& cleaned) {
   return text;
 }
 
+std::string length_text(double m, const Job& job) {
+  return job.output.units == "imperial" ? fixed(feet_of_m(m), 2) + " ft" : fixed(m, 2) + " m";
+}
+
 void assume(Plan& plan, const Field& field, const Job& job) {
   const auto say = [&plan](std::string text) { plan.assumptions.push_back(std::move(text)); };
   say((job.machine_assumed ? "Machine: none was given, preset " : "Machine: ") + job.machine.preset +
-      (job.machine_assumed ? " is assumed, " : ", ") + fixed(job.machine.working_width_m, 2) +
-      " m wide, turning radius " + fixed(1 / max_curvature_per_m(job.machine), 2) +
-      " m. Mounted tools only.");
+      (job.machine_assumed ? " is assumed, " : ", ") + length_text(job.machine.working_width_m, job) +
+      " wide, turning radius " + length_text(1 / max_curvature_per_m(job.machine), job) +
+      ". Mounted tools only.");
   say("Flat ground: slopes are not considered.");
   say(job.field.boundary_accuracy_m
-          ? "Boundary accurate to " + fixed(*job.field.boundary_accuracy_m, 2) + " m, as the job says."
+          ? "Boundary accurate to " + length_text(*job.field.boundary_accuracy_m, job) + ", as the job says."
           : std::string{"Boundary accuracy unknown: drive the boundary once with RTK before relying on the "
                         "edge margin of "} +
-                fixed(job.field.edge_margin_m, 2) + " m.");
+                length_text(job.field.edge_margin_m, job) + ".");
   say("Datum of the boundary: " + (field.datum.empty() ? std::string{"WGS 84"} : field.datum) +
       (field.datum_accuracy_m.value_or(0) > 0
-           ? ", converted to WGS 84 within " + fixed(*field.datum_accuracy_m, 2) + " m"
+           ? ", converted to WGS 84 within " + length_text(*field.datum_accuracy_m, job)
            : std::string{}) +
       ". The machine's corrections must use the same datum.");
 }
@@ -159,14 +164,26 @@ std::string block_name(const Block& block, const Blocks& all) {
   return all.blocks.size() > 1 ? "block " + std::to_string(block.number) + ": " : std::string{};
 }
 
-std::size_t gate_of(const Block& block, const std::string& start) {
+std::optional<std::size_t> gate_of(const Block& block, const std::string& start) {
+  if (block.gates.empty()) return std::nullopt;
   if (start.empty()) return 0;
   const std::string wanted = start.starts_with("gate:") ? start.substr(5) : start;
   for (std::size_t i = 0; i < block.gates.size(); ++i)
     if (block.gates[i].name == wanted || std::to_string(i + 1) == wanted) return i;
-  std::string names;
-  for (const BlockGate& gate : block.gates) names += (names.empty() ? "" : ", ") + gate.name;
-  throw InputError{"route.start = \"" + start + "\": the block has no such gate; it has " + names};
+  return std::nullopt;
+}
+
+void check_start(const Blocks& blocks, const std::string& start) {
+  if (start.empty()) return;
+  std::string there;
+  for (const Block& block : blocks.blocks) {
+    if (gate_of(block, start)) return;
+    for (std::size_t i = 0; i < block.gates.size(); ++i)
+      there += (there.empty() ? "" : ", ") + std::string{"gate:"} + std::to_string(i + 1) +
+               (block.gates[i].name.empty() ? "" : " (" + block.gates[i].name + ")");
+  }
+  throw InputError{"route.start = \"" + start + "\": the field has no such gate; " +
+                   (there.empty() ? "it has none" : "there is " + there)};
 }
 
 BlockReport refused(const Block& block, const Infeasible& why) {

@@ -21,8 +21,11 @@ std::vector<std::string> notes_of(const PlannedBlock& planned);
 /// "block 2: " where there are several, else nothing.
 std::string block_name(const Block& block, const Blocks& all);
 /// Index of the gate that `start` ("gate:2" or "gate:NAME") names; the first one where it is empty.
-/// @throws InputError where the block has no such gate.
-std::size_t gate_of(const Block& block, const std::string& start);
+/// Absent where the block has no such gate.
+std::optional<std::size_t> gate_of(const Block& block, const std::string& start);
+
+/// @throws InputError where `start` names a gate that no block has.
+void check_start(const Blocks& blocks, const std::string& start);
 
 /// Sums of all blocks into the plan file's summary, and the warnings that come of them.
 void summarise(Plan& plan);

@@ -6,7 +6,9 @@
 
 #include "describe.hpp"
 #include "records.hpp"
+#include "selion/core/error.hpp"
 #include "selion/core/format.hpp"
+#include "selion/core/units.hpp"
 #include "selion/field/frame.hpp"
 #include "selion/geometry/simplify.hpp"
 #include "selion/layout/layout.hpp"
@@ -39,8 +41,8 @@ LocalFrame frame_of(const Field& field, const Job& job) {
 }
 
 /// A compass heading in the local frame, whose north leans by the convergence.
-DrivingDirection local_direction(const LocalFrame& frame, Point at, double bearing_deg) {
-  return DrivingDirection::bearing_deg(bearing_deg - frame.convergence_deg(at));
+double local_heading_rad(const LocalFrame& frame, Point at, double bearing_deg) {
+  return radians_of_degrees(90 - bearing_deg + frame.convergence_deg(at));
 }
 
 /// A border's steps and wiggles smaller than half the working width cost no swath piece: they must not choose
@@ -51,17 +53,37 @@ Polygon without_wiggles(const Polygon& area, double tolerance_m) {
   return out;
 }
 
-Result<DrivingDirection> direction_of(const Block& block, const LocalFrame& frame, const std::string& how,
-                                      double width_m) {
-  if (how == "edge") return best_edge_direction(without_wiggles(block.area, width_m / 2));
-  if (how == "p3") {
+/// Sets direction and heading as `layout.direction` says.
+std::optional<Infeasible> choose_direction(LayoutOptions& options, const Block& block,
+                                           const LocalFrame& frame, const Job& job) {
+  const std::string& how = job.layout.direction;
+  if (how == "edge") {
+    options.along = best_edge_direction(without_wiggles(block.area, job.machine.working_width_m / 2));
+  } else if (how == "p3") {
     const auto found = p3_direction(block.area);
     if (!found) return found.error();
-    return found->along;
+    options.along = found->along;
+  } else {
+    double bearing = 0;
+    std::from_chars(how.data(), how.data() + how.size(), bearing);  // the job was validated
+    options.heading_rad = local_heading_rad(frame, centroid(block.area), bearing);
+    options.along = DrivingDirection::radians(*options.heading_rad);
   }
-  double bearing = 0;
-  std::from_chars(how.data(), how.data() + how.size(), bearing);  // the job was validated
-  return local_direction(frame, centroid(block.area), bearing);
+  return std::nullopt;
+}
+
+/// @throws InputError where the line lies nowhere near the block.
+AbLine ab_line_of(const Block& block, const LocalFrame& frame, const std::array<double, 4>& given) {
+  constexpr double kFar_m = 10'000;
+  const auto& [lon_a, lat_a, lon_b, lat_b] = given;
+  const AbLine ab{frame.to_local({lon_a, lat_a}), frame.to_local({lon_b, lat_b})};
+  const double far_m =
+      std::min(distance_m(ab.a, centroid(block.area)), distance_m(ab.b, centroid(block.area)));
+  if (!(far_m < kFar_m))
+    throw InputError{
+        "layout.ab lies more than 10 km from the field: give A and B as lon,lat,lon,lat; are "
+        "longitude and latitude swapped?"};
+  return ab;
 }
 
 Result<LayoutOptions> layout_options(const Block& block, const LocalFrame& frame, const Job& job) {
@@ -71,13 +93,10 @@ Result<LayoutOptions> layout_options(const Block& block, const LocalFrame& frame
   options.edge_margin_m = job.field.edge_margin_m;
   options.passes = job.headland.passes;
   if (job.layout.ab) {
-    const auto& [lon_a, lat_a, lon_b, lat_b] = *job.layout.ab;
-    options.ab = AbLine{frame.to_local({lon_a, lat_a}), frame.to_local({lon_b, lat_b})};
+    options.ab = ab_line_of(block, frame, *job.layout.ab);
     return options;
   }
-  const auto direction = direction_of(block, frame, job.layout.direction, job.machine.working_width_m);
-  if (!direction) return direction.error();
-  options.along = *direction;
+  if (const auto why = choose_direction(options, block, frame, job)) return *why;
   return options;
 }
 
@@ -94,7 +113,7 @@ Result<Layout> lay_out(const Block& block, const LocalFrame& frame, const Job& j
 RouteOptions route_options(const Block& block, const Job& job) {
   RouteOptions options;
   options.headland = job.headland.order;
-  if (!block.gates.empty()) options.gate = gate_of(block, job.route.start);
+  options.gate = gate_of(block, job.route.start);
   return options;
 }
 
@@ -123,6 +142,7 @@ Result<Plan> plan(const Field& field, const Job& job, Repair repair, const Progr
   const Blocks cleaned =
       for_machine(blocks_of(field, frame, {job.field.obstacle_clearance_m, job.field.water_margin_m, repair}),
                   job.machine);
+  check_start(cleaned, job.route.start);
   Plan plan = described(field, job, frame, cleaned);
   std::string reasons;
   for (const Block& block : cleaned.blocks) {

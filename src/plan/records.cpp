@@ -133,8 +133,13 @@ void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame&
   if (!band.parts.empty()) file.headlands.push_back(std::move(band));
   for (const RoutePiece& piece : planned.route.pieces) {
     if (piece.kind != PieceKind::headland_pass) continue;
+    constexpr double kChord_m = 0.25;  // as the trajectory's samples on curves
     std::vector<Point> line;
-    for (const Pose& pose : poses(piece.path, 2)) line.push_back(pose.at);
+    for (const Stretch& stretch : piece.path) {
+      const bool bent = stretch.curve.curvature_per_m != 0 || stretch.curve.sharpness_per_m2 != 0;
+      for (const Pose& pose : poses({stretch}, bent ? kChord_m : stretch.curve.length_m))
+        if (line.empty() || distance_m(line.back(), pose.at) > 1e-6) line.push_back(pose.at);
+    }
     file.headland_passes.push_back({planned.block.number, piece.ref, ring_of(planned.layout, piece.ref),
                                     to_lonlat(frame, line), machine.working_width_m});
   }

@@ -64,7 +64,8 @@ struct Layout {
 
 struct LayoutOptions {
   DrivingDirection along;
-  std::optional<AbLine> ab;  ///< fixes heading and phase
+  std::optional<AbLine> ab;           ///< fixes heading and phase
+  std::optional<double> heading_rad;  ///< of A -> B, where one was asked for; parallel to `along`
   double ab_shift_m = 0;
   double overlap_m = 0;
   double edge_margin_m = 0.3;
