@@ -128,7 +128,7 @@ void draw_arrowhead(Drawing& page, PagePoint at, double heading_rad, double size
 void draw_disc(Drawing& page, Mark mark, PagePoint at, const std::string& letters) {
   const bool start = mark == Mark::start;
   page.add(PageShape{{circle(at, kDisc_mm)}, Ends::closed, start ? kWhite : kBlack, Stroke{kBlack, 0.5, {}}});
-  const TextStyle style = letters.size() > 1 ? kSmallBold : kHeading;
+  const TextStyle style = letters.size() > 2 ? kTinyBold : letters.size() > 1 ? kSmallBold : kHeading;
   page.add(PageText{letters,
                     {at.x_mm, at.y_mm + cap_height_mm(style) / 2},
                     style,

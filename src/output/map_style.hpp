@@ -23,6 +23,7 @@ constexpr TextStyle kHeading{8.5, Weight::bold};
 constexpr TextStyle kBody{7.5, Weight::regular};
 constexpr TextStyle kSmall{7, Weight::regular};
 constexpr TextStyle kSmallBold{7, Weight::bold};
+constexpr TextStyle kTinyBold{5.5, Weight::bold};  // what must fit into a disc
 
 /// Every kind of thing on the map, in the order of the legend.
 enum class Mark {
