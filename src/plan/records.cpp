@@ -118,6 +118,18 @@ void add_swaths(PlanFile& file, const PlannedBlock& planned, const LocalFrame& f
   for (const Swath& pocket : planned.layout.pockets) add(pocket, "");
 }
 
+/// What is driven, its curves as chords.
+std::vector<Point> line_of(const Path& path) {
+  constexpr double kChord_m = 0.25;  // as the trajectory's samples on curves
+  std::vector<Point> line;
+  for (const Stretch& stretch : path) {
+    const bool bent = stretch.curve.curvature_per_m != 0 || stretch.curve.sharpness_per_m2 != 0;
+    for (const Pose& pose : poses({stretch}, bent ? kChord_m : stretch.curve.length_m))
+      if (line.empty() || distance_m(line.back(), pose.at) > 1e-6) line.push_back(pose.at);
+  }
+  return line;
+}
+
 /// Of the pass "H3", or of its part "H3b".
 int ring_of(const Layout& layout, const std::string& id) {
   const std::string pass = id.substr(0, id.find_last_of("0123456789") + 1);
@@ -133,15 +145,8 @@ void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame&
   if (!band.parts.empty()) file.headlands.push_back(std::move(band));
   for (const RoutePiece& piece : planned.route.pieces) {
     if (piece.kind != PieceKind::headland_pass) continue;
-    constexpr double kChord_m = 0.25;  // as the trajectory's samples on curves
-    std::vector<Point> line;
-    for (const Stretch& stretch : piece.path) {
-      const bool bent = stretch.curve.curvature_per_m != 0 || stretch.curve.sharpness_per_m2 != 0;
-      for (const Pose& pose : poses({stretch}, bent ? kChord_m : stretch.curve.length_m))
-        if (line.empty() || distance_m(line.back(), pose.at) > 1e-6) line.push_back(pose.at);
-    }
     file.headland_passes.push_back({planned.block.number, piece.ref, ring_of(planned.layout, piece.ref),
-                                    to_lonlat(frame, line), machine.working_width_m});
+                                    to_lonlat(frame, line_of(piece.path)), machine.working_width_m});
   }
 }
 
