@@ -63,7 +63,7 @@ TEST_CASE("the total adds the blocks up", "[output][report]") {
   CHECK(total["area_m2"] == 91'000);
   CHECK(total["covered_m2"] == 88'599);
   CHECK(total["covered_percent"] == 97.36);  // 88 599 / 91 000
-  CHECK(total["uncovered_m2"] == 2401);  // 91 000 - 88 599
+  CHECK(total["uncovered_m2"] == 2401);      // 91 000 - 88 599
   CHECK(total["worked_twice"]["area_m2"] == 1'000);
   CHECK(total["worked_twice"]["percent"] == 1.10);
   CHECK(total["worked_twice"]["corners_m2"] == 300);
