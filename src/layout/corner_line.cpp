@@ -19,32 +19,93 @@ constexpr double kGentleCut_m =
 
 }  // namespace
 
-CornerLine::CornerLine(const Ground& ground, const Ring& ring) : ground_{ground} {
+CornerLine::CornerLine(const Ground& ground, const Ring& ring, double room_m) : ground_{ground} {
   const double most = 1 / ground.machine.min_work_radius_m.value_or(1e-9);
   tight_ = limits_at(ground.machine, ground.machine.turn_speed_mps);
   gentle_ = limits_at(ground.machine, ground.machine.work_speed_mps);
   tight_.curvature_per_m = std::min(tight_.curvature_per_m, most);
   gentle_.curvature_per_m = std::min(gentle_.curvature_per_m, most);
-  for (const Point p : simplified(ring, kFollow_m)) vertices_.push_back({p, false, 0, 0, tight_});
+  const Ring line = simplified(ring, kFollow_m);
+  count_ = line.size();
+  for (Index i = 0; i < count_; ++i) {
+    Vertex v;
+    v.at = line[i];
+    v.previous = (i + count_ - 1) % count_;
+    v.next = (i + 1) % count_;
+    v.room_m = room_m;
+    vertices_.push_back(v);
+  }
+  measure_all();
 }
 
-void CornerLine::measure(std::size_t i) {
+double CornerLine::room_m(Index i) const {
+  const double length = length_m(edge(i));
+  if (length < kShortestEdge_m) return -std::numeric_limits<double>::max();
+  return length - vertices_[i].reach.after_m - vertices_[next(i)].reach.before_m;
+}
+
+CornerShape CornerLine::tight_shape(double turn_rad, double room_m) const {
+  return shape_within(turn_rad, tight_, ground_.footprint, room_m);
+}
+
+void CornerLine::measure(Index i) {
+  constexpr double kNoRoom = std::numeric_limits<double>::infinity();
   Vertex& v = vertices_[i];
-  v.turn_rad = wrapped(heading_rad(edge(i)) - heading_rad(edge(previous(i))));
-  v.limits = tight_;
-  v.tangent_m = std::abs(v.turn_rad) > kSharpest_rad ? std::numeric_limits<double>::infinity()
-                                                     : corner_of(v.turn_rad, tight_).tangent_m;
+  v.gentle = v.corner_stays = v.edge_stays = vertices_[v.previous].edge_stays = false;
+  v.turn_rad = wrapped(heading_rad(edge(i)) - heading_rad(edge(v.previous)));
+  const bool too_sharp = std::abs(v.turn_rad) > kSharpest_rad;
+  v.shape = too_sharp ? CornerShape{tight_} : tight_shape(v.turn_rad, v.room_m);
+  v.reach = too_sharp ? CornerReach{kNoRoom, kNoRoom, 0} : reach_of(v.turn_rad, v.shape);
+}
+
+/// The corner, its neighbours and the edges between them.
+void CornerLine::measure_around(Index i) {
+  const auto indices = {previous(i), i, next(i)};
+  for (const Index k : indices) measure(k);
+  for (const Index k : {previous(previous(i)), previous(i), i, next(i)})
+    if (const double room = room_m(k); room < 0) tight_edges_.push({room, k});
 }
 
 void CornerLine::measure_all() {
-  for (std::size_t i = 0; i < vertices_.size(); ++i) measure(i);
+  Index i = first_;
+  for (std::size_t k = 0; k < count_; ++k, i = next(i)) measure(i);
+  for (std::size_t k = 0; k < count_; ++k, i = next(i))
+    if (const double room = room_m(i); room < 0) tight_edges_.push({room, i});
+}
+
+void CornerLine::drop(Index i) {
+  Vertex& v = vertices_[i];
+  v.dropped = true;
+  vertices_[v.previous].next = v.next;
+  vertices_[v.next].previous = v.previous;
+  if (first_ == i) first_ = v.next;
+  --count_;
+  if (count_ >= 3) measure_around(v.next);
+}
+
+/// Puts others in the place of a corner.
+void CornerLine::replace(Index i, const std::vector<Vertex>& by) {
+  Index last = previous(i);
+  const Index after = next(i);
+  if (first_ == i) first_ = after;
+  vertices_[i].dropped = true;
+  for (Vertex v : by) {
+    v.previous = last;
+    vertices_[last].next = vertices_.size();
+    last = vertices_.size();
+    vertices_.push_back(v);
+  }
+  vertices_[last].next = after;
+  vertices_[after].previous = last;
+  count_ += by.size() - 1;
+  for (Index k = vertices_.size() - by.size(); k < vertices_.size(); ++k) measure_around(k);
 }
 
 /// Puts the two ends of edge i into one corner, where the edges beside it meet. Only where both turn the same
 /// way.
-bool CornerLine::merge(std::size_t i) {
-  if (vertices_.size() < 4) return false;
-  const std::size_t j = next(i);
+bool CornerLine::merge(Index i) {
+  if (count_ < 4) return false;
+  const Index j = next(i);
   const double sum = vertices_[i].turn_rad + vertices_[j].turn_rad;
   if (vertices_[i].turn_rad * vertices_[j].turn_rad <= 0 || std::abs(sum) > kSharpest_rad) return false;
   const Point before = edge(previous(i));
@@ -55,14 +116,15 @@ bool CornerLine::merge(std::size_t i) {
   if (ahead < 0 || ahead * length_m(before) > 4 * length_m(edge(i)) + 1) return false;
   vertices_[i].at = vertices_[i].at + ahead * before;
   drop(j);
+  measure_around(i);
   return true;
 }
 
 /// Edge i is too short for the corners at its ends. A left turn may be left out, for that leads inwards.
-void CornerLine::relieve(std::size_t i) {
-  const std::size_t j = next(i);
-  const bool i_too_sharp = std::isinf(vertices_[i].tangent_m);
-  if (!i_too_sharp && std::isinf(vertices_[j].tangent_m)) return drop(j);
+void CornerLine::relieve(Index i) {
+  const Index j = next(i);
+  const bool i_too_sharp = std::isinf(vertices_[i].reach.after_m);
+  if (!i_too_sharp && std::isinf(vertices_[j].reach.before_m)) return drop(j);
   if (i_too_sharp || length_m(edge(i)) < kShortestEdge_m) return drop(i);
   if (merge(i)) return;
   const bool i_left = vertices_[i].turn_rad > 0;
@@ -71,61 +133,52 @@ void CornerLine::relieve(std::size_t i) {
   drop(std::abs(vertices_[i].turn_rad) < std::abs(vertices_[j].turn_rad) ? i : j);
 }
 
-/// The edge that lacks the most room, if any does.
-std::optional<std::size_t> CornerLine::tightest_edge() const {
-  std::optional<std::size_t> tightest;
-  double least_m = 0;
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const double room = length_m(edge(i)) < kShortestEdge_m ? -std::numeric_limits<double>::max() : room_m(i);
-    if (room >= least_m) continue;
-    least_m = room;
-    tightest = i;
-  }
-  return tightest;
-}
-
 bool CornerLine::make_room() {
-  measure_all();
-  while (vertices_.size() >= 3) {
-    const auto tightest = tightest_edge();
-    if (!tightest) return true;
-    relieve(*tightest);
-    measure_all();
+  while (count_ >= 3 && !tight_edges_.empty()) {
+    const Tight tight = tight_edges_.top();
+    tight_edges_.pop();
+    if (!vertices_[tight.edge].dropped && room_m(tight.edge) == tight.room_m) relieve(tight.edge);
   }
-  return false;
+  return count_ >= 3;
 }
 
 void CornerLine::make_gentle() {
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+  Index i = first_;
+  for (std::size_t k = 0; k < count_; ++k, i = next(i)) {
     Vertex& v = vertices_[i];
-    const Corner corner = corner_of(v.turn_rad, gentle_);
-    const double more_m = corner.tangent_m - v.tangent_m;
-    if (corner.cut_m > (v.turn_rad > 0 ? kGentleCut_m : kFollow_m / 4)) continue;
-    if (room_m(i) < more_m || room_m(previous(i)) < more_m) continue;
-    v.tangent_m = corner.tangent_m;
-    v.limits = gentle_;
+    if (v.gentle || !v.may_gentle || v.shape.ease_in_m > 0 || v.shape.ease_out_m > 0) continue;
+    const CornerShape shape{gentle_};
+    const CornerReach reach = reach_of(v.turn_rad, shape);
+    if (reach.cut_m > (v.turn_rad > 0 ? kGentleCut_m : kFollow_m / 4)) continue;
+    if (room_m(i) < reach.after_m - v.reach.after_m) continue;
+    if (room_m(v.previous) < reach.before_m - v.reach.before_m) continue;
+    v.gentle = true;
+    v.corner_stays = v.edge_stays = vertices_[v.previous].edge_stays = false;
+    v.shape = shape;
+    v.reach = reach;
   }
 }
 
-Path CornerLine::corner_path(std::size_t i) const {
+Path CornerLine::corner_at(Index i) const {
   const Vertex& v = vertices_[i];
-  const double heading = heading_rad(edge(previous(i)));
-  return swing({v.at - v.tangent_m * unit(heading), heading}, v.turn_rad, v.limits);
+  const double heading = heading_rad(edge(v.previous));
+  return corner_path({v.at - v.reach.before_m * unit(heading), heading}, v.turn_rad, v.shape);
 }
 
-Path CornerLine::edge_path(std::size_t i) const {
+Path CornerLine::edge_path(Index i) const {
   constexpr double kNoLine_m = 1e-7;  // below what joints of pieces are held to
   if (room_m(i) < kNoLine_m) return {};
   const Point along = unit(heading_rad(edge(i)));
-  const Point a = vertices_[i].at + vertices_[i].tangent_m * along;
-  return {{line(a, vertices_[next(i)].at - vertices_[next(i)].tangent_m * along), Gear::forward}};
+  const Point a = vertices_[i].at + vertices_[i].reach.after_m * along;
+  return {{line(a, vertices_[next(i)].at - vertices_[next(i)].reach.before_m * along), Gear::forward}};
 }
 
 Path CornerLine::path() const {
   Path path;
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+  Index i = first_;
+  for (std::size_t k = 0; k < count_; ++k, i = next(i)) {
     append(path, edge_path(i));
-    append(path, corner_path(next(i)));
+    append(path, corner_at(next(i)));
   }
   return path;
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <queue>
+#include <tuple>
 #include <vector>
 
+#include "corner_shape.hpp"
 #include "parts.hpp"
 
 namespace selion {
@@ -12,51 +16,78 @@ namespace selion {
 /// corner_repair.cpp moves what does not fit.
 class CornerLine {
  public:
-  CornerLine(const Ground& ground, const Ring& ring);
+  /// `room_m`: beyond the lane's outer edge, for body and tool to swing out into.
+  CornerLine(const Ground& ground, const Ring& ring, double room_m);
 
   /// Merges and drops corners until each has room on its edges. False where nothing is left to drive round.
   bool make_room();
   /// Lets corners that have the room be driven at working speed.
   void make_gentle();
   [[nodiscard]] Path path() const;
-  /// Moves what does not fit; false when nothing could be moved.
+  /// Moves what does not fit; false when nothing was moved.
   bool repair();
   [[nodiscard]] bool fits() const;
   /// The longest runs of edges and corners that fit, where the whole does not.
   [[nodiscard]] std::vector<HeadlandRun> fitting_runs() const;
 
  private:
+  using Index = std::size_t;
   struct Vertex {
     Point at;
-    bool pushed = false;  ///< swung out already: its neighbours on the edges stand
+    Index previous = 0;
+    Index next = 0;
+    double room_m = 0;
+    bool dropped = false;
+    bool pushed = false;      ///< swung out already: its neighbours on the edges stand
+    bool may_gentle = true;   ///< until it has been found not to fit
+    bool gentle = false;
+    bool corner_stays = false;  ///< is known to stay inside
+    bool edge_stays = false;    ///< the same of the edge after it
     double turn_rad = 0;
-    double tangent_m = 0;
-    CurveLimits limits;
+    CornerShape shape;
+    CornerReach reach;
+  };
+  /// An edge shorter than its corners need.
+  struct Tight {
+    double room_m = 0;
+    Index edge = 0;
+
+    friend bool operator>(const Tight& a, const Tight& b) {
+      return std::tie(a.room_m, a.edge) > std::tie(b.room_m, b.edge);
+    }
   };
 
-  [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % vertices_.size(); }
-  [[nodiscard]] std::size_t previous(std::size_t i) const {
-    return (i + vertices_.size() - 1) % vertices_.size();
-  }
-  [[nodiscard]] Point edge(std::size_t i) const { return vertices_[next(i)].at - vertices_[i].at; }
-  [[nodiscard]] double room_m(std::size_t i) const {
-    return length_m(edge(i)) - vertices_[i].tangent_m - vertices_[next(i)].tangent_m;
-  }
-  void measure(std::size_t i);
+  [[nodiscard]] Index next(Index i) const { return vertices_[i].next; }
+  [[nodiscard]] Index previous(Index i) const { return vertices_[i].previous; }
+  [[nodiscard]] Point edge(Index i) const { return vertices_[next(i)].at - vertices_[i].at; }
+  [[nodiscard]] double room_m(Index i) const;
+  [[nodiscard]] CornerShape tight_shape(double turn_rad, double room_m) const;
+  void measure(Index i);
+  void measure_around(Index i);
   void measure_all();
-  void drop(std::size_t i) { vertices_.erase(vertices_.begin() + static_cast<std::ptrdiff_t>(i)); }
-  void relieve(std::size_t i);
-  [[nodiscard]] std::optional<std::size_t> tightest_edge() const;
-  bool merge(std::size_t i);
-  [[nodiscard]] Path corner_path(std::size_t i) const;
-  [[nodiscard]] Path edge_path(std::size_t i) const;
-  void chamfer(std::size_t i, std::vector<Vertex>& into) const;
-  void swing_out(std::size_t i, std::vector<Vertex>& into) const;
+  void drop(Index i);
+  void replace(Index i, const std::vector<Vertex>& by);
+  void relieve(Index i);
+  bool merge(Index i);
+  [[nodiscard]] Path corner_at(Index i) const;
+  [[nodiscard]] Path edge_path(Index i) const;
+  [[nodiscard]] bool stays(const Path& path) const;
+  bool check_corner(Index i);
+  bool check_edge(Index i);
+  bool ease(Index i);
+  bool swing_wide(Index i);
+  [[nodiscard]] std::vector<Vertex> wide(Index i, double by_rad) const;
+  [[nodiscard]] bool fits_wide(Index i, const std::vector<Vertex>& wide) const;
+  void chamfer(Index i);
+  void swing_out(Index i);
 
   const Ground& ground_;
   CurveLimits tight_;
   CurveLimits gentle_;
   std::vector<Vertex> vertices_;
+  Index first_ = 0;
+  std::size_t count_ = 0;
+  std::priority_queue<Tight, std::vector<Tight>, std::greater<>> tight_edges_;
 };
 
 }  // namespace selion

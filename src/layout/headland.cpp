@@ -69,12 +69,17 @@ double mainland_inset_m(const Ground& ground, int passes) {
   return ring_inset_m(ground, passes) + ground.machine.working_width_m / 2 - kFollow_m;
 }
 
+/// Between the lane of a ring, as wide as the wider of tool and body, and the field's border.
+double swing_out_room_m(const Ground& ground, int ring) {
+  return ground.edge_margin_m + ring_inset_m(ground, ring) - ground.half_m;
+}
+
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
   std::vector<HeadlandPass> laid;
   for (int ring = 1; ring <= passes; ++ring)
     for (const Ring& line :
          rings_of(without_slits(ground, inset(ground.workable, ring_inset_m(ground, ring)))))
-      for (HeadlandRun& run : drivable_along(ground, line))
+      for (HeadlandRun& run : drivable_along(ground, line, swing_out_room_m(ground, ring)))
         laid.push_back({"H" + std::to_string(laid.size() + 1), ring, std::move(run.path), run.closed});
   return laid;
 }

@@ -53,8 +53,9 @@ struct HeadlandRun {
 };
 
 /// Paths along `ring` (its free side on the left), rounded inwards at left turns and swung out at right
-/// turns: one closed path where the machine can go round, else the runs that it can drive.
-std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring);
+/// turns: one closed path where the machine can go round, else the runs that it can drive. Body and tool may
+/// swing out of the lane by `room_m`.
+std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, double room_m);
 
 std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
                               AbLine& ab);

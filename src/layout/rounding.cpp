@@ -78,11 +78,12 @@ bool CornerLine::fits() const { return holds(ground_, path()); }
 
 std::vector<HeadlandRun> CornerLine::fitting_runs() const {
   std::vector<Path> steps;
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+  Index i = first_;
+  for (std::size_t k = 0; k < count_; ++k, i = next(i)) {
     for (const Stretch& whole : edge_path(i))
       for (Path& step : steps_along(whole.curve.start, end_of(whole.curve).at))
         steps.push_back(std::move(step));
-    steps.push_back(corner_path(next(i)));
+    steps.push_back(corner_at(next(i)));
   }
   const auto gap =
       std::find_if_not(steps.begin(), steps.end(), [this](const Path& step) { return holds(ground_, step); });
@@ -90,15 +91,17 @@ std::vector<HeadlandRun> CornerLine::fitting_runs() const {
   return runs_of(ground_, steps);
 }
 
-std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring) {
-  CornerLine corners{ground, ring};
-  for (int round = 0; round < kMostRepairs; ++round) {
+std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, double room_m) {
+  CornerLine corners{ground, ring, room_m};
+  bool moved = true;
+  for (int round = 0; moved && round < kMostRepairs; ++round) {
     if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, kFollow_m));
     corners.make_gentle();
-    if (corners.fits()) return {{corners.path(), true}};
-    if (!corners.repair()) break;
+    moved = corners.repair();
   }
-  return corners.make_room() ? corners.fitting_runs() : runs_on_edges(ground, simplified(ring, kFollow_m));
+  if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, kFollow_m));
+  if (!moved && corners.fits()) return {{corners.path(), true}};
+  return corners.fitting_runs();
 }
 
 }  // namespace selion
