@@ -10,7 +10,11 @@ namespace selion {
 namespace {
 
 constexpr double kSliver_m = 0.1;     // gaps narrower than twice this are guidance error, not a pocket
-constexpr double kPassWorth = 0.75;   // of a square of the working width: least area worth a pass
+// Least area worth a pass, in squares of the working width: one that may reverse backs out of a corner, one that
+// may not has to come and go in a loop.
+constexpr double kPassWorth = 0.75;
+constexpr double kForwardPassWorth = 2;
+constexpr double kLeastShare = 0.15;  // of the working width that a pass has to find unworked
 constexpr double kLeastLength = 1.5;  // of the working width
 constexpr int kRounds = 2;
 
@@ -66,9 +70,15 @@ std::vector<Find> finds_under(const Polygon& part, Point a, Point b, double widt
   return merged;
 }
 
-bool worth_a_pass(const Find& find, double width_m) {
+double least_pocket_m2(const Machine& machine) {
+  return (machine.may_reverse ? kPassWorth : kForwardPassWorth) * machine.working_width_m *
+         machine.working_width_m;
+}
+
+bool worth_a_pass(const Find& find, const Machine& machine) {
   const double length = find.along.high_m - find.along.low_m;
-  return find.area_m2 >= kPassWorth * width_m * std::max(width_m, length / 2) && length >= kSliver_m;
+  return length >= kSliver_m &&
+         find.area_m2 >= std::max(least_pocket_m2(machine), kLeastShare * machine.working_width_m * length);
 }
 
 /// The runs that can be driven of a-b, which lies along `axis`.
@@ -96,7 +106,7 @@ std::vector<Swath> pieces_over(const Ground& ground, const Polygon& part) {
     const Point origin = c * side;
     for (const Find& find :
          finds_under(part, along.low_m * axis + origin, along.high_m * axis + origin, width)) {
-      if (!worth_a_pass(find, width)) continue;
+      if (!worth_a_pass(find, ground.machine)) continue;
       const auto runs =
           runs_of(ground, find.along.low_m * axis + origin, find.along.high_m * axis + origin, axis);
       pieces.insert(pieces.end(), runs.begin(), runs.end());
@@ -141,10 +151,10 @@ std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
 
 /// One round of pieces into the unworked ground.
 std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
-  const double width = ground.machine.working_width_m;
+  const double least_m2 = least_pocket_m2(ground.machine);
   std::vector<Swath> pieces;
   for (const Polygon& part : outset_round(inset_round(left, kSliver_m), kSliver_m)) {
-    if (area_m2(part) < kPassWorth * width * width) continue;
+    if (area_m2(part) < least_m2) continue;
     for (const Swath& piece : pieces_over(ground, part))
       if (auto fit = fitted(ground, piece)) pieces.push_back(*fit);
   }
@@ -155,7 +165,7 @@ std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
 
 std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout) {
   std::vector<Swath> pockets;
-  for (int round = 0; round < (getenv("NOPOCK")?0:kRounds); ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     const Polygons left = subtract(ground.workable, covered_by(ground, layout, pockets));
     const std::vector<Swath> more = pieces_into(ground, left);
     if (more.empty()) break;
