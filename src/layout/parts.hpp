@@ -35,6 +35,10 @@ struct Ground {
 
 Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m);
 
+/// Can the machine come forwards to the pose, or drive on forwards from it, by some turn that leads off its line?
+bool has_way_in(const Ground& ground, const Pose& pose);
+bool has_way_out(const Ground& ground, const Pose& pose);
+
 /// How far tool, body and axle go beyond the end of a swath in the U-turn to its neighbour, the end square to
 /// the swath.
 double turn_depth_m(const Machine& machine, double spacing_m);

@@ -48,11 +48,12 @@ double cost_m(const Terrain& terrain, const Path& path) {
   return cost;
 }
 
-std::optional<Path> direct_turn(const Terrain& terrain, const Pose& from, const Pose& to) {
+std::optional<Path> direct_turn(const Terrain& terrain, const CurveLimits& limits, const Pose& from,
+                                const Pose& to) {
   if (auto straight = straight_on(from, to))
     return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
   const double longest = longest_turn_m(terrain, from, to);
-  for (Path& turn : connections(from, to, terrain.limits)) {
+  for (Path& turn : connections(from, to, limits)) {
     if (length_m(turn) > longest) break;
     if (stays_inside(terrain.space, terrain.footprint, turn)) return std::move(turn);
   }

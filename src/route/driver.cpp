@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "driver.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "retreats.hpp"
 #include "selion/motion/dubins.hpp"
 
@@ -20,12 +23,18 @@ Path without_crumbs(Path path) {
 }  // namespace
 
 Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
-    : machine_{machine},
+    : layout_{layout},
+      machine_{machine},
       space_{free_space(block.free, footprint_of(machine))},
       mainland_{layout.mainland},
       terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse,
-               mainland_},
-      roads_{terrain_, tracks_of(layout, machine, terrain_)} {}
+               mainland_} {}
+
+/// Built when a way over them is first asked for: most fields need none.
+Roads& Driver::roads() {
+  if (!roads_) roads_.emplace(terrain_, tracks_of(layout_, machine_, terrain_));
+  return *roads_;
+}
 
 /// Beyond this a way is a transfer.
 double Driver::longest_turn_m() const {
@@ -49,16 +58,33 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
   here_ = end_pose(work);
 }
 
-/// The cheapest single turn.
-std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals) const {
+/// The cheapest single turn within the limits: those that can be short are worked out first.
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals,
+                                                  const CurveLimits& limits) const {
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (std::size_t i = 0; i < goals.size(); ++i)
+    ranked.emplace_back(dubins_length_m(*here_, goals[i], 1 / limits.curvature_per_m), i);
+  std::sort(ranked.begin(), ranked.end());
   std::optional<Approach> best;
-  const double radius_m = 1 / terrain_.limits.curvature_per_m;
-  for (std::size_t i = 0; i < goals.size(); ++i) {
-    if (best && dubins_length_m(*here_, goals[i], radius_m) >= best->cost_m) continue;
-    auto turn = direct_turn(terrain_, *here_, goals[i]);
+  for (const auto& [least_m, i] : ranked) {
+    if (least_m >= (best ? best->cost_m : kFarRound * longest_turn_m())) break;
+    auto turn = direct_turn(terrain_, limits, *here_, goals[i]);
     if (!turn) continue;
     const double cost = cost_m(terrain_, *turn);
     if (!best || cost < best->cost_m - kNoBetter_m) best = Approach{i, std::move(*turn), cost};
+  }
+  return best;
+}
+
+/// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane at
+/// the border swings out over it.
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals) const {
+  std::optional<Approach> best;
+  for (const double wider : {1.0, 2.0, 4.0, 8.0}) {
+    auto turn = turn_into(goals, {terrain_.limits.curvature_per_m / wider,
+                                  terrain_.limits.sharpness_per_m2 / (wider * wider)});
+    if (turn && (!best || turn->cost_m < best->cost_m - kNoBetter_m)) best = std::move(turn);
+    if (best && best->cost_m <= longest_turn_m()) break;
   }
   return best;
 }
@@ -76,7 +102,7 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Pose>& goals)
   const auto keep_cheaper = [&best](std::optional<Approach> other) {
     if (other && (!best || other->cost_m < best->cost_m - kNoBetter_m)) best = std::move(other);
   };
-  if (!best || best->cost_m > longest_turn_m()) keep_cheaper(by(roads_.way(*here_, goals, ways_back())));
+  if (!best || best->cost_m > longest_turn_m()) keep_cheaper(by(roads().way(*here_, goals, ways_back())));
   const bool close = far_m(here_, goals.front()) < longest_turn_m();
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
     if (auto found = searched(terrain_, {*here_}, goals)) keep_cheaper(by(std::move(found->arrival)));

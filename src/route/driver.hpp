@@ -38,17 +38,21 @@ class Driver {
 
   [[nodiscard]] std::optional<Approach> approach(const std::vector<Pose>& goals);
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals) const;
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals,
+                                                  const CurveLimits& limits) const;
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
+  [[nodiscard]] Roads& roads();
   void work(const Task& task, const Path& way, const Path& work);
   [[nodiscard]] std::vector<Path> ways_back() const;
   [[nodiscard]] Pose before(const Path& work) const;
   [[nodiscard]] double longest_turn_m() const;
 
+  const Layout& layout_;
   const Machine& machine_;
   FreeSpace space_;
   AreaIndex mainland_;
   Terrain terrain_;
-  Roads roads_;
+  std::optional<Roads> roads_;
   std::optional<Pose> here_;
   std::vector<RoutePiece> driven_;
 };

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "roads.hpp"
 
 namespace selion {
 namespace {
 
-constexpr std::size_t kNearStarts = 12;  // places tried to begin a headland pass: the nearest,
-constexpr std::size_t kFarStarts = 12;   // and some of the others
+constexpr std::ptrdiff_t kDenseStarts = 6;  // stations either way of which each is tried to begin a headland pass
 constexpr double kLeastSplit = 8;  // working widths of length from which an open headland pass may be split
 
 /// The path from its first straight place at or beyond `from_m`: a swath may only be begun where the wheels
@@ -36,18 +36,29 @@ Path tool_turned_round(const Path& path, double tool_x_m) {
   return from_straight(back, shift_m);
 }
 
-/// The round begun at stations near `here`, and at some all around: the near ones may be hard to reach.
+/// The round begun at stations to either side of the one nearest to `here`, the further off the fewer: the near
+/// ones may be hard to reach, and a wide lane change takes many metres.
 std::vector<Path> begun_around(const Path& round, const std::optional<Pose>& here) {
-  Track track = track_of(round, true);
-  std::stable_sort(track.stations.begin(), track.stations.end(),
-                   [&here](const Track::Station& a, const Track::Station& b) {
-                     return far_m(here, a.pose) < far_m(here, b.pose);
-                   });
+  const Track track = track_of(round, true);
+  const auto& stations = track.stations;
+  if (stations.empty()) return {};
+  const auto nearest = std::min_element(stations.begin(), stations.end(),
+                                        [&here](const Track::Station& a, const Track::Station& b) {
+                                          return far_m(here, a.pose) < far_m(here, b.pose);
+                                        });
+  const auto count = static_cast<std::ptrdiff_t>(stations.size());
+  const std::ptrdiff_t middle = nearest - stations.begin();
   std::vector<Path> ways;
-  const std::size_t count = track.stations.size();
-  const std::size_t step = count > kNearStarts ? (count - kNearStarts) / kFarStarts + 1 : 1;
-  for (std::size_t i = 0; i < count; i += i < kNearStarts ? 1 : step)
-    ways.push_back(part_of(round, track.stations[i].s_m, track.stations[i].s_m + track.length_m));
+  const auto begin_at = [&](std::ptrdiff_t station) {
+    const double s_m = stations[static_cast<std::size_t>((station + count) % count)].s_m;
+    ways.push_back(part_of(round, s_m, s_m + track.length_m));
+  };
+  begin_at(middle);
+  std::ptrdiff_t off = 1;
+  for (; 2 * off < count; off += 1 + off / kDenseStarts) {
+    begin_at(middle + off);
+    begin_at(middle - off);
+  }
   return ways;
 }
 
@@ -75,12 +86,20 @@ Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string 
   return task;
 }
 
-Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here) {
-  Task task{PieceKind::headland_pass, pass.id, begun_around(pass.path, here), true};
-  if (const Path back = turned_round(pass.path); fits(terrain.space, terrain.footprint, back))
-    for (Path& way : begun_around(back, here)) task.ways.push_back(std::move(way));
+Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here,
+                      Round round) {
+  Task task{PieceKind::headland_pass, pass.id, {}, true};
+  const Path path = round == Round::as_laid ? pass.path : turned_round(pass.path);
+  if (round == Round::turned && !fits(terrain.space, terrain.footprint, path)) return task;
+  task.ways = begun_around(path, here);
   sort_nearest_first(task.ways, here);
   return task;
+}
+
+void add_ways(Task& task, Task others, const std::optional<Pose>& here) {
+  task.ways.insert(task.ways.end(), std::make_move_iterator(others.ways.begin()),
+                   std::make_move_iterator(others.ways.end()));
+  sort_nearest_first(task.ways, here);
 }
 
 std::optional<double> split_place_m(const Task& task, double working_width_m) {

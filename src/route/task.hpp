@@ -31,9 +31,14 @@ Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swa
 /// A part of the way round: either way along it.
 Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path);
 
-/// A closed pass begun at stations all around, both ways round where the machine fits; from `here` the
-/// nearest first.
-Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here);
+enum class Round { as_laid, turned };  ///< which way a closed pass is driven round
+
+/// A closed pass begun at stations all around; from `here` the nearest first. No ways where the machine does not
+/// fit.
+Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here,
+                      Round round);
+/// Puts the ways of another task for the same piece beside those of `task`.
+void add_ways(Task& task, Task others, const std::optional<Pose>& here);
 
 /// Where along its first way a long open pass may be cut into two; absent where it may not.
 std::optional<double> split_place_m(const Task& task, double working_width_m);

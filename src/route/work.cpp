@@ -23,7 +23,19 @@ std::vector<const HeadlandPass*> passes_of(const Layout& layout) {
   return passes;
 }
 
+bool fits_both_ways(const Terrain& terrain, const Layout& layout) {
+  return std::all_of(
+      layout.headland_passes.begin(), layout.headland_passes.end(), [&](const HeadlandPass& pass) {
+        return !pass.closed || fits(terrain.space, terrain.footprint, turned_round(pass.path));
+      });
+}
+
 }  // namespace
+
+/// Where one ring can only be driven as laid, so are the others: from ring to ring the machine then changes
+/// lanes instead of turning about.
+Work::Work(Driver& driver, const Layout& layout)
+    : driver_{driver}, layout_{layout}, either_way_round_{fits_both_ways(driver.terrain(), layout)} {}
 
 Work::Entry Work::nearest_entry(const std::vector<Chain>& chains) const {
   Entry best;
@@ -151,15 +163,25 @@ void Work::work_ring(std::vector<const HeadlandPass*> passes) {
           return far_m(driver_.here(), start_pose(a->path)) < far_m(driver_.here(), start_pose(b->path));
         });
     Task task = pass_task(**nearest);
-    if (!driver_.drive_to(task)) failed.push_back(std::move(task));
+    if (!driver_.drive_to(task) && !work_turned(**nearest)) failed.push_back(std::move(task));
     passes.erase(nearest);
   }
   work_nearest(std::move(failed));
 }
 
 Task Work::pass_task(const HeadlandPass& pass) const {
-  return pass.closed ? closed_pass_task(driver_.terrain(), pass, driver_.here())
-                     : open_pass_task(driver_.terrain(), driver_.machine(), pass.id, pass.path);
+  const Terrain& terrain = driver_.terrain();
+  if (!pass.closed) return open_pass_task(terrain, driver_.machine(), pass.id, pass.path);
+  Task task = closed_pass_task(terrain, pass, driver_.here(), Round::as_laid);
+  if (either_way_round_)
+    add_ways(task, closed_pass_task(terrain, pass, driver_.here(), Round::turned), driver_.here());
+  return task;
+}
+
+/// The other way round, where that has not been tried with the first.
+bool Work::work_turned(const HeadlandPass& pass) {
+  if (!pass.closed || either_way_round_) return false;
+  return driver_.drive_to(closed_pass_task(driver_.terrain(), pass, driver_.here(), Round::turned));
 }
 
 std::vector<std::string> Work::left() const {

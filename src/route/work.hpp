@@ -14,7 +14,7 @@ namespace selion {
 /// keeps the rest for later.
 class Work {
  public:
-  Work(Driver& driver, const Layout& layout) : driver_{driver}, layout_{layout} {}
+  Work(Driver& driver, const Layout& layout);
 
   /// Chain by chain, the nearest end first, each back and forth.
   void swaths(const Progress& progress);
@@ -44,9 +44,11 @@ class Work {
   void work_rings(const std::vector<const HeadlandPass*>& order);
   void work_ring(std::vector<const HeadlandPass*> passes);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
+  bool work_turned(const HeadlandPass& pass);
 
   Driver& driver_;
   const Layout& layout_;
+  bool either_way_round_;  ///< may every closed pass be driven both ways round?
   std::vector<Task> put_off_;
 };
 
