@@ -44,7 +44,8 @@ bool CornerLine::ease(Index i) {
 void CornerLine::chamfer(Index i) {
   const Vertex v = vertices_[i];
   const double half = v.turn_rad / 2;
-  const double wish = std::max(kPush_m, 1.02 * corner_of(half, tight_).tangent_m / std::cos(half));
+  const CornerReach reach = reach_of(half, tight_shape(half, v.room_m));
+  const double wish = std::max(kPush_m, 1.02 * (reach.before_m + reach.after_m) / (2 * std::cos(half)));
   const double before = std::min(wish, length_m(edge(v.previous)) / 2);
   const double after = std::min(wish, length_m(edge(i)) / 2);
   Vertex first = v;
