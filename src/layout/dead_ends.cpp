@@ -1,46 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <numbers>
+#include "selion/motion/dead_ends.hpp"
 
 #include "parts.hpp"
 
 namespace selion {
-namespace {
 
-/// The same line from its end to its start, forwards.
-Path driven_back(const Path& path) {
-  Path back;
-  for (const Stretch& stretch : path) back.push_back({reversed(stretch.curve), stretch.gear});
-  std::reverse(back.begin(), back.end());
-  return back;
-}
-
-/// Straight on and a turn by a third of a circle, as long or short and to either side as it takes.
-template <class Fits>
-bool turns_off(const Ground& ground, const Pose& pose, Fits fits) {
-  constexpr double kTurn_rad = 2 * std::numbers::pi / 3;
+AxisExtent without_dead_ends(const Ground& ground, const Swath& way, AxisExtent fit) {
+  constexpr double kStep_m = 1;
+  if (ground.machine.may_reverse) return fit;
   const CurveLimits limits = limits_at(ground.machine, ground.machine.turn_speed_mps);
-  const double radius_m = 1 / limits.curvature_per_m;
-  for (const double on_m : {0.0, radius_m, 2 * radius_m, 4 * radius_m}) {
-    const Pose begin{pose.at + on_m * unit(pose.heading_rad), pose.heading_rad};
-    if (on_m > 0 && !fits(Path{{line(pose.at, begin.at), Gear::forward}})) return false;
-    for (const double turn : {kTurn_rad, -kTurn_rad})
-      if (fits(swing(begin, turn, limits))) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-bool has_way_in(const Ground& ground, const Pose& pose) {
-  return turns_off(ground, {pose.at, pose.heading_rad + std::numbers::pi}, [&](const Path& path) {
-    return fits(ground.space, ground.footprint, driven_back(path));
-  });
-}
-
-bool has_way_out(const Ground& ground, const Pose& pose) {
-  return turns_off(ground, pose,
-                   [&](const Path& path) { return fits(ground.space, ground.footprint, path); });
+  const Point axis = (1 / distance_m(way.from, way.to)) * (way.to - way.from);
+  const auto axle_at = [&](double s_m) {
+    return Pose{way.from + (s_m - ground.machine.tool_x_m) * axis, heading_rad(axis)};
+  };
+  while (fit.high_m > fit.low_m &&
+         !has_way_in(ground.space, ground.footprint, limits, axle_at(fit.low_m))) fit.low_m += kStep_m;
+  while (fit.high_m > fit.low_m &&
+         !has_way_out(ground.space, ground.footprint, limits, axle_at(fit.high_m))) fit.high_m -= kStep_m;
+  return fit;
 }
 
 }  // namespace selion

@@ -22,6 +22,7 @@ struct AxisExtent {
   }
 };
 AxisExtent extent_of(const Polygons& areas, Point axis);
+inline double length_m(AxisExtent extent) { return extent.high_m - extent.low_m; }
 
 /// The distances and limits that all parts of a linear layout share.
 struct Ground {
@@ -35,9 +36,9 @@ struct Ground {
 
 Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m);
 
-/// Can the machine come forwards to the pose, or drive on forwards from it, by some turn that leads off its line?
-bool has_way_in(const Ground& ground, const Pose& pose);
-bool has_way_out(const Ground& ground, const Pose& pose);
+/// Of the piece's part that fits, driven from `from`, what a machine that only drives forwards can get to and away
+/// from; all of it for one that may reverse.
+AxisExtent without_dead_ends(const Ground& ground, const Swath& way, AxisExtent fit);
 
 /// How far tool, body and axle go beyond the end of a swath in the U-turn to its neighbour, the end square to
 /// the swath.

@@ -136,26 +136,12 @@ AxisExtent longest_fit(const Ground& ground, const Swath& piece) {
   return best;
 }
 
-/// Less what a machine that only drives forwards could not get to or away from.
-AxisExtent without_dead_ends(const Ground& ground, const Swath& way, AxisExtent fit) {
-  constexpr double kStep_m = 1;
-  const Point axis = (1 / distance_m(way.from, way.to)) * (way.to - way.from);
-  const auto axle_at = [&](double s_m) {
-    return Pose{way.from + (s_m - ground.machine.tool_x_m) * axis, heading_rad(axis)};
-  };
-  while (fit.high_m > fit.low_m && !has_way_in(ground, axle_at(fit.low_m))) fit.low_m += kStep_m;
-  while (fit.high_m > fit.low_m && !has_way_out(ground, axle_at(fit.high_m))) fit.high_m -= kStep_m;
-  return fit;
-}
-
-double length_m(AxisExtent extent) { return extent.high_m - extent.low_m; }
-
 /// As much of the piece as the machine fits on, driven one way or the other; absent where too little is left.
 std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
   const Swath back{piece.id, piece.strip, piece.to, piece.from};
   const auto extent_along = [&ground](const Swath& way) {
     const AxisExtent fit = longest_fit(ground, way);
-    return ground.machine.may_reverse ? fit : without_dead_ends(ground, way, fit);
+    return without_dead_ends(ground, way, fit);
   };
   const AxisExtent forth_fit = extent_along(piece);
   const AxisExtent back_fit = extent_along(back);

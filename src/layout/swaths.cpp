@@ -95,6 +95,25 @@ std::optional<Swath> trimmed(const Ground& ground, Swath piece) {
   return std::nullopt;
 }
 
+/// Shortened to what can be left again, driven the way that leaves more; absent where nothing is left.
+std::optional<Swath> passable(const Ground& ground, Swath piece) {
+  if (ground.machine.may_reverse) return piece;
+  const double length = distance_m(piece.from, piece.to);
+  const Point axis = (1 / length) * (piece.to - piece.from);
+  const AxisExtent forth = without_dead_ends(ground, piece, {0, length});
+  AxisExtent best = forth;
+  if (length_m(forth) < length) {
+    const AxisExtent back =
+        without_dead_ends(ground, {piece.id, piece.strip, piece.to, piece.from}, {0, length});
+    if (length_m(back) > length_m(forth)) best = {length - back.high_m, length - back.low_m};
+  }
+  if (length_m(best) < 2 * kTrim_m) return std::nullopt;
+  const Point a = piece.from;
+  piece.from = a + best.low_m * axis;
+  piece.to = a + best.high_m * axis;
+  return piece;
+}
+
 }  // namespace
 
 Ring strip(Point a, Point b, double width_m) {
@@ -141,7 +160,7 @@ std::vector<Swath> pieces_on(const Ground& ground, const Axes& axes, const Strip
     for (const Span1& span : drivable_spans(ground, a, b))
       if (auto piece =
               trimmed(ground, {"", row.number, a + span.from_m * axes.along, a + span.to_m * axes.along}))
-        pieces.push_back(*piece);
+        if (const auto way = passable(ground, *piece)) pieces.push_back(*way);
   }
   for (std::size_t k = 0; k < pieces.size(); ++k)
     pieces[k].id = strip_name(row.number) + (pieces.size() > 1 ? letters_of(k) : "");

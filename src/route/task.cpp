@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "roads.hpp"
+#include "selion/motion/dead_ends.hpp"
 
 namespace selion {
 namespace {
@@ -62,6 +63,13 @@ std::vector<Path> begun_around(const Path& round, const std::optional<Pose>& her
   return ways;
 }
 
+/// May the machine drive the way without ending where it cannot leave? One that may reverse backs out.
+bool passable(const Terrain& terrain, const Path& way) {
+  return terrain.may_reverse ||
+         (has_way_in(terrain.space, terrain.footprint, terrain.limits, start_pose(way)) &&
+          has_way_out(terrain.space, terrain.footprint, terrain.limits, end_pose(way)));
+}
+
 }  // namespace
 
 Sense opposite(Sense sense) { return sense == Sense::forth ? Sense::back : Sense::forth; }
@@ -74,7 +82,8 @@ Path swath_way(const Machine& machine, const Swath& swath, Sense sense) {
 Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath, Sense preferred) {
   Task task{PieceKind::swath, swath.id, {}};
   for (const Sense sense : {preferred, opposite(preferred)})
-    if (Path way = swath_way(machine, swath, sense); fits(terrain.space, terrain.footprint, way))
+    if (Path way = swath_way(machine, swath, sense);
+        fits(terrain.space, terrain.footprint, way) && passable(terrain, way))
       task.ways.push_back(std::move(way));
   return task;
 }
@@ -82,7 +91,7 @@ Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swa
 Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path) {
   Task task{PieceKind::headland_pass, std::move(id), {}};
   for (const Path& way : {path, tool_turned_round(path, machine.tool_x_m)})
-    if (fits(terrain.space, terrain.footprint, way)) task.ways.push_back(way);
+    if (fits(terrain.space, terrain.footprint, way) && passable(terrain, way)) task.ways.push_back(way);
   return task;
 }
 

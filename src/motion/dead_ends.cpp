@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/motion/dead_ends.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace selion {
+namespace {
+
+/// The same line from its end to its start, forwards.
+Path driven_back(const Path& path) {
+  Path back;
+  for (const Stretch& stretch : path) back.push_back({reversed(stretch.curve), stretch.gear});
+  std::reverse(back.begin(), back.end());
+  return back;
+}
+
+/// Straight on and a turn by a third of a circle, as long or short and to either side as it takes.
+template <class Fits>
+bool turns_off(const Pose& pose, const CurveLimits& limits, Fits fits) {
+  constexpr double kTurn_rad = 2 * std::numbers::pi / 3;
+  const double radius_m = 1 / limits.curvature_per_m;
+  for (const double on_m : {0.0, radius_m, 2 * radius_m, 4 * radius_m}) {
+    const Pose begin{pose.at + on_m * unit(pose.heading_rad), pose.heading_rad};
+    if (on_m > 0 && !fits(Path{{line(pose.at, begin.at), Gear::forward}})) return false;
+    for (const double turn : {kTurn_rad, -kTurn_rad})
+      if (fits(swing(begin, turn, limits))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool has_way_in(const FreeSpace& space, const Footprint& footprint, const CurveLimits& limits,
+                const Pose& pose) {
+  return turns_off({pose.at, pose.heading_rad + std::numbers::pi}, limits,
+                   [&](const Path& path) { return fits(space, footprint, driven_back(path)); });
+}
+
+bool has_way_out(const FreeSpace& space, const Footprint& footprint, const CurveLimits& limits,
+                 const Pose& pose) {
+  return turns_off(pose, limits, [&](const Path& path) { return fits(space, footprint, path); });
+}
+
+}  // namespace selion
