@@ -2,6 +2,7 @@
 #include "driver.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "retreats.hpp"
@@ -124,6 +125,28 @@ bool Driver::drive_to(const Task& task) {
     best->way.push_back({line(goals[best->goal].at, start_pose(chosen).at), Gear::forward});
   work(task, best->way, chosen);
   return true;
+}
+
+std::vector<RoutePiece> Driver::take_back() {
+  const auto works = [](const RoutePiece& piece) {
+    return piece.kind == PieceKind::swath || piece.kind == PieceKind::headland_pass;
+  };
+  std::size_t kept = driven_.size();
+  while (kept > 0 && !works(driven_[kept - 1])) --kept;
+  if (kept > 0) --kept;
+  while (kept > 0 && !works(driven_[kept - 1])) --kept;
+  if (kept == 0) return {};
+  const auto first = driven_.begin() + static_cast<std::ptrdiff_t>(kept);
+  std::vector<RoutePiece> taken(std::make_move_iterator(first), std::make_move_iterator(driven_.end()));
+  driven_.erase(first, driven_.end());
+  here_ = end_pose(driven_.back().path);
+  return taken;
+}
+
+void Driver::drive_again(std::vector<RoutePiece> pieces) {
+  driven_.insert(driven_.end(), std::make_move_iterator(pieces.begin()),
+                 std::make_move_iterator(pieces.end()));
+  here_ = end_pose(driven_.back().path);
 }
 
 bool Driver::drive_out_to(const Pose& goal) {

@@ -26,6 +26,10 @@ class Driver {
   void stand_at(std::optional<Pose> pose) { here_ = pose; }
   /// Drives to the task by the cheapest of its ways and works it; false where it cannot be reached.
   bool drive_to(const Task& task);
+  /// Takes the last work back, with the way to it; what was taken back, last piece last. Empty where there is
+  /// none, or where nobody knows where the machine stood before it.
+  std::vector<RoutePiece> take_back();
+  void drive_again(std::vector<RoutePiece> pieces);
   /// Drives from where it stands to `goal` without working; false where no way is found.
   bool drive_out_to(const Pose& goal);
 

@@ -163,10 +163,29 @@ void Work::work_ring(std::vector<const HeadlandPass*> passes) {
           return far_m(driver_.here(), start_pose(a->path)) < far_m(driver_.here(), start_pose(b->path));
         });
     Task task = pass_task(**nearest);
-    if (!driver_.drive_to(task) && !work_turned(**nearest)) failed.push_back(std::move(task));
+    if (!driver_.drive_to(task) && !work_turned(**nearest) && !drive_on_to(task)) failed.push_back(std::move(task));
     passes.erase(nearest);
   }
   work_nearest(std::move(failed));
+}
+
+/// A machine that only drives forwards may be stuck where it is: then what it worked last was a dead end, and is
+/// given up.
+bool Work::drive_on_to(const Task& task) {
+  constexpr int kMostTakenBack = 3;
+  if (driver_.terrain().may_reverse || !driver_.here()) return false;
+  std::vector<RoutePiece> taken;
+  for (int i = 0; i < kMostTakenBack; ++i) {
+    std::vector<RoutePiece> last = driver_.take_back();
+    if (last.empty()) break;
+    taken.insert(taken.begin(), std::make_move_iterator(last.begin()), std::make_move_iterator(last.end()));
+    if (!driver_.drive_to(task)) continue;
+    for (const RoutePiece& piece : taken)
+      if (!piece.ref.empty()) dead_ends_.push_back(piece.ref);
+    return true;
+  }
+  if (!taken.empty()) driver_.drive_again(std::move(taken));
+  return false;
 }
 
 Task Work::pass_task(const HeadlandPass& pass) const {
@@ -187,6 +206,7 @@ bool Work::work_turned(const HeadlandPass& pass) {
 std::vector<std::string> Work::left() const {
   std::vector<std::string> ids;
   for (const Task& task : put_off_) ids.push_back(task.id);
+  ids.insert(ids.end(), dead_ends_.begin(), dead_ends_.end());
   return ids;
 }
 

@@ -45,11 +45,13 @@ class Work {
   void work_ring(std::vector<const HeadlandPass*> passes);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
   bool work_turned(const HeadlandPass& pass);
+  bool drive_on_to(const Task& task);
 
   Driver& driver_;
   const Layout& layout_;
   bool either_way_round_;  ///< may every closed pass be driven both ways round?
   std::vector<Task> put_off_;
+  std::vector<std::string> dead_ends_;  ///< ids of what was taken back
 };
 
 }  // namespace selion
