@@ -48,23 +48,28 @@ FreeSpace::FreeSpace(const Polygon& area, double reach_m) : area_{area}, index_{
   const Box box = grown(bounds(area.shell), reach_m);
   const Point size = box.high - box.low;
   low_ = box.low;
-  cell_m_ = std::max({reach_m / 2, std::max(size.x_m, size.y_m) / kMostCells, 0.5});
+  cell_m_ = std::max({reach_m / 3, std::max(size.x_m, size.y_m) / kMostCells, 0.5});
+  cells_per_m_ = 1 / cell_m_;
   columns_ = static_cast<int>(size.x_m / cell_m_) + 1;
   rows_ = static_cast<int>(size.y_m / cell_m_) + 1;
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-  crossing_.resize(cells);
-  near_.resize(cells, false);
-  for (std::uint32_t e = 0; e < edges_.size(); ++e) add(e, reach_m);
+  std::vector<std::vector<std::uint32_t>> crossing(cells);
+  near_.resize(cells, 0);
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) add(e, reach_m, crossing);
+  pack(crossing);
 }
 
-FreeSpace::Cells FreeSpace::cells_of(Box box) const {
-  const auto column = [this](double x_m) {
-    return static_cast<int>(std::clamp(std::floor((x_m - low_.x_m) / cell_m_), 0.0, columns_ - 1.0));
-  };
-  const auto row = [this](double y_m) {
-    return static_cast<int>(std::clamp(std::floor((y_m - low_.y_m) / cell_m_), 0.0, rows_ - 1.0));
-  };
-  return {column(box.low.x_m), column(box.high.x_m), row(box.low.y_m), row(box.high.y_m)};
+/// Beyond the grid the nearest cell's.
+int FreeSpace::column_of(double x_m) const {
+  return static_cast<int>(std::clamp((x_m - low_.x_m) * cells_per_m_, 0.0, columns_ - 1.0));
+}
+
+int FreeSpace::row_of(double y_m) const {
+  return static_cast<int>(std::clamp((y_m - low_.y_m) * cells_per_m_, 0.0, rows_ - 1.0));
+}
+
+FreeSpace::Cells FreeSpace::cells_of(const Box& box) const {
+  return {column_of(box.low.x_m), column_of(box.high.x_m), row_of(box.low.y_m), row_of(box.high.y_m)};
 }
 
 std::size_t FreeSpace::index(int column, int row) const {
@@ -72,42 +77,54 @@ std::size_t FreeSpace::index(int column, int row) const {
          static_cast<std::size_t>(column);
 }
 
-void FreeSpace::mark_crossing(std::uint32_t edge, const Cells& cells) {
-  for (int row = cells.bottom; row <= cells.top; ++row)
-    for (int column = cells.left; column <= cells.right; ++column) {
-      auto& list = crossing_[index(column, row)];
-      if (list.empty() || list.back() != edge) list.push_back(edge);
-    }
-}
-
 void FreeSpace::mark_near(const Cells& cells) {
   for (int row = cells.bottom; row <= cells.top; ++row)
-    for (int column = cells.left; column <= cells.right; ++column) near_[index(column, row)] = true;
+    for (int column = cells.left; column <= cells.right; ++column) near_[index(column, row)] = 1;
 }
 
 /// Walks along the edge in steps of a cell, so that a long slanted edge does not fill its whole box.
-void FreeSpace::add(std::uint32_t edge, double reach_m) {
+void FreeSpace::add(std::uint32_t edge, double reach_m, std::vector<std::vector<std::uint32_t>>& crossing) {
   const auto [a, b] = edges_[edge];
   const int steps = std::max(1, static_cast<int>(std::ceil(distance_m(a, b) / cell_m_)));
   for (int i = 0; i < steps; ++i) {
     const Point from = a + (static_cast<double>(i) / steps) * (b - a);
     const Point to = a + (static_cast<double>(i + 1) / steps) * (b - a);
-    mark_crossing(edge, cells_of(box_of(from, to)));
-    mark_near(cells_of(grown(box_of(from, to), reach_m)));
+    const Box box = box_of(from, to);
+    mark_near(cells_of(grown(box, reach_m)));
+    const Cells cells = cells_of(box);
+    for (int row = cells.bottom; row <= cells.top; ++row)
+      for (int column = cells.left; column <= cells.right; ++column) {
+        auto& list = crossing[index(column, row)];
+        if (list.empty() || list.back() != edge) list.push_back(edge);
+      }
   }
 }
 
-bool FreeSpace::far_from_border(Point p) const {
-  const Cells cell = cells_of({p, p});
-  return !near_[index(cell.left, cell.bottom)];
+void FreeSpace::pack(const std::vector<std::vector<std::uint32_t>>& crossing) {
+  first_.reserve(crossing.size() + 1);
+  for (const auto& list : crossing) {
+    first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
+    crossing_.insert(crossing_.end(), list.begin(), list.end());
+  }
+  first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
+}
+
+bool FreeSpace::empty(const Box& box) const {
+  const Cells cells = cells_of(box);
+  for (int row = cells.bottom; row <= cells.top; ++row)
+    if (first_[index(cells.left, row)] != first_[index(cells.right, row) + 1]) return false;
+  return true;
 }
 
 bool FreeSpace::clear(std::span<const Point> shape) const {
   const Cells cells = cells_of(box_of(shape));
-  for (int row = cells.bottom; row <= cells.top; ++row)
-    for (int column = cells.left; column <= cells.right; ++column)
-      for (const std::uint32_t e : crossing_[index(column, row)])
-        if (!apart(shape, edges_[e].a, edges_[e].b)) return false;
+  for (int row = cells.bottom; row <= cells.top; ++row) {
+    const std::uint32_t end = first_[index(cells.right, row) + 1];
+    for (std::uint32_t k = first_[index(cells.left, row)]; k < end; ++k) {
+      const Edge& edge = edges_[crossing_[k]];
+      if (!apart(shape, edge.a, edge.b)) return false;
+    }
+  }
   return true;
 }
 

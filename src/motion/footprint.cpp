@@ -22,6 +22,7 @@ using Corners = std::array<Point, 4>;
 /// A pose with its direction worked out.
 struct Stand {
   explicit Stand(const Pose& pose) : at{pose.at}, ahead{unit(pose.heading_rad)} {}
+  Stand(Point place, Point direction) : at{place}, ahead{direction} {}
   [[nodiscard]] Point operator()(double x_m, double y_m) const {
     return at + x_m * ahead + y_m * left_of(ahead);
   }
@@ -65,10 +66,31 @@ bool clear_across(const FreeSpace& space, const Stand& a, const Stand& b, double
   return turns_left(swept) ? space.clear(swept) : space.clear(convex_hull({swept.begin(), swept.end()}));
 }
 
+/// Around body and tool at the stand.
+Box box_around(const Footprint& f, const Stand& stand) {
+  const Point middle = stand((f.front_m - f.rear_m) / 2, 0);
+  const double half_length = (f.front_m + f.rear_m) / 2;
+  const double cos = std::abs(stand.ahead.x_m);
+  const double sin = std::abs(stand.ahead.y_m);
+  const Point body{half_length * cos + f.half_body_m * sin, half_length * sin + f.half_body_m * cos};
+  const Point line = stand(f.tool_x_m, 0);
+  const Point tool{f.half_tool_m * sin, f.half_tool_m * cos};
+  return {{std::min(middle.x_m - body.x_m, line.x_m - tool.x_m),
+           std::min(middle.y_m - body.y_m, line.y_m - tool.y_m)},
+          {std::max(middle.x_m + body.x_m, line.x_m + tool.x_m),
+           std::max(middle.y_m + body.y_m, line.y_m + tool.y_m)}};
+}
+
+Box together(const Box& a, const Box& b) {
+  return {{std::min(a.low.x_m, b.low.x_m), std::min(a.low.y_m, b.low.y_m)},
+          {std::max(a.high.x_m, b.high.x_m), std::max(a.high.y_m, b.high.y_m)}};
+}
+
 /// Body and tool at b, and what front, rear and tool sweep from a to b: a spike of the border that enters and
 /// leaves between two stands has to cross one of these.
 bool clear_between(const FreeSpace& space, const Footprint& f, const Stand& a, const Stand& b) {
   if (space.far_from_border(a.at) && space.far_from_border(b.at)) return true;
+  if (space.empty(together(box_around(f, a), box_around(f, b)))) return true;
   const double half_body = f.half_body_m - kGive_m;
   return space.clear(rectangle(b, -f.rear_m + kGive_m, f.front_m - kGive_m, half_body)) &&
          clear_across(space, a, b, f.tool_x_m, f.half_tool_m - kGive_m) &&
@@ -103,14 +125,50 @@ bool clear_along_line(const FreeSpace& space, const Footprint& f, const Stretch&
   return true;
 }
 
+/// Stands along a stretch, step by step: by Simpson's rule from one to the next, which over a step of at most
+/// half a metre errs by less than a micrometre.
+class Walk {
+ public:
+  Walk(const Stretch& stretch, int steps)
+      : curve_{stretch.curve},
+        gear_{static_cast<double>(stretch.gear)},
+        step_m_{stretch.curve.length_m / steps},
+        at_{stretch.curve.start},
+        along_{unit(stretch.curve.heading_rad)} {}
+
+  [[nodiscard]] Stand here() const { return {at_, gear_ * along_}; }
+
+  void advance() {
+    const Point middle = direction(s_m_ + step_m_ / 2);
+    s_m_ += step_m_;
+    const Point end = direction(s_m_);
+    at_ = at_ + (step_m_ / 6) * (along_ + 4.0 * middle + end);
+    along_ = end;
+  }
+
+ private:
+  [[nodiscard]] Point direction(double s_m) const {
+    return unit(curve_.heading_rad + (curve_.curvature_per_m + curve_.sharpness_per_m2 * s_m / 2) * s_m);
+  }
+
+  Curve curve_;
+  double gear_;
+  double step_m_;
+  double s_m_ = 0;
+  Point at_;
+  Point along_;
+};
+
 bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
   if (straight(stretch.curve)) return clear_along_line(space, f, stretch);
   const double length = stretch.curve.length_m;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / curve_step_m(f, stretch.curve))));
-  Stand before{vehicle_pose(stretch, 0)};
+  Walk walk{stretch, steps};
+  Stand before = walk.here();
   if (!clear_at(space, f, before)) return false;
   for (int i = 1; i <= steps; ++i) {
-    const Stand after{vehicle_pose(stretch, length * i / steps)};
+    walk.advance();
+    const Stand after = walk.here();
     if (!clear_between(space, f, before, after)) return false;
     before = after;
   }
@@ -205,9 +263,11 @@ std::vector<Ring> swept_by_tool(const Footprint& f, const Path& path) {
         straight(stretch.curve)
             ? 1
             : std::max(1, static_cast<int>(std::ceil(length / sweep_step_m(f, stretch.curve))));
-    Stand before{vehicle_pose(stretch, 0)};
+    Walk walk{stretch, steps};
+    Stand before = walk.here();
     for (int i = 1; i <= steps; ++i) {
-      const Stand after{vehicle_pose(stretch, length * i / steps)};
+      walk.advance();
+      const Stand after = walk.here();
       strip.add(before, after, f);
       before = after;
     }

@@ -21,7 +21,9 @@ class FreeSpace {
   /// touches no border is inside or outside as a whole: that is for the caller to know.
   [[nodiscard]] bool clear(std::span<const Point> shape) const;
   /// A quick yes: nothing of the border lies within reach of p.
-  [[nodiscard]] bool far_from_border(Point p) const;
+  [[nodiscard]] bool far_from_border(Point p) const { return near_[cell_of(p)] == 0; }
+  /// A quick yes: nothing of the border lies in the box.
+  [[nodiscard]] bool empty(const Box& box) const;
 
  private:
   struct Edge {
@@ -31,21 +33,26 @@ class FreeSpace {
   struct Cells {
     int left, right, bottom, top;
   };
-  [[nodiscard]] Cells cells_of(Box box) const;
+  [[nodiscard]] int column_of(double x_m) const;
+  [[nodiscard]] int row_of(double y_m) const;
+  [[nodiscard]] std::size_t cell_of(Point p) const { return index(column_of(p.x_m), row_of(p.y_m)); }
+  [[nodiscard]] Cells cells_of(const Box& box) const;
   [[nodiscard]] std::size_t index(int column, int row) const;
-  void mark_crossing(std::uint32_t edge, const Cells& cells);
   void mark_near(const Cells& cells);
-  void add(std::uint32_t edge, double reach_m);
+  void add(std::uint32_t edge, double reach_m, std::vector<std::vector<std::uint32_t>>& crossing);
+  void pack(const std::vector<std::vector<std::uint32_t>>& crossing);
 
   Polygon area_;
   AreaIndex index_;
   std::vector<Edge> edges_;
   Point low_;
   double cell_m_ = 1;
+  double cells_per_m_ = 1;
   int columns_ = 1;
   int rows_ = 1;
-  std::vector<std::vector<std::uint32_t>> crossing_;  // cell -> edges whose box meets it
-  std::vector<bool> near_;                            // cell -> an edge lies within reach
+  std::vector<std::uint32_t> first_;     // cell -> where its edges begin in crossing_; one more at the end
+  std::vector<std::uint32_t> crossing_;  // edges whose box meets the cell
+  std::vector<unsigned char> near_;      // cell -> an edge lies within reach
 };
 
 }  // namespace selion
