@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include "selion/motion/timed_turn.hpp"
@@ -81,6 +82,26 @@ TEST_CASE("no turn of any speed is faster than the fastest", "[motion][timed_tur
   for (const double speed : speeds)
     for (const Path& path : connections({}, to, limits_at(m, speed)))
       CHECK(turn_time_s(path, m) >= best->time_s * (1 - 1e-12));
+}
+
+TEST_CASE("a longer turn that is straighter may be the fastest", "[motion][timed_turn]") {
+  Machine m;
+  m.max_speed_mps = 8;
+  m.turn_speed_mps = 0.4;
+  m.max_accel_mps2 = m.max_brake_mps2 = 4;
+  const std::vector<double> cap{m.turn_speed_mps};
+  int longer = 0;
+  std::mt19937 random{3};
+  std::uniform_real_distribution<double> any{-1, 1};
+  for (int i = 0; i < 60; ++i) {
+    const Pose to{{12 * any(random), 12 * any(random)}, std::numbers::pi * any(random)};
+    const auto best = fastest_turn({}, to, m, cap, anywhere);
+    REQUIRE(best.has_value());
+    const std::vector<Path> all = connections({}, to, limits_at(m, m.turn_speed_mps));
+    for (const Path& path : all) CHECK(turn_time_s(path, m) >= best->time_s * (1 - 1e-12));
+    if (length_m(best->path) > length_m(all.front()) + 1e-6) ++longer;
+  }
+  CHECK(longer > 0);
 }
 
 TEST_CASE("only a turn that stays inside is taken", "[motion][timed_turn]") {

@@ -41,11 +41,12 @@ class Drive {
   /// Samples from `from` on; `to` is left to whatever follows.
   void run(std::size_t leg, const Knot& from, const Knot& to) {
     const double length = to.s_m - from.s_m;
-    const double steps = std::max(1.0, std::ceil(length / step_m(legs_[leg]) - 1e-9));
+    const long steps = std::max(1L, std::lround(std::ceil(length / step_m(legs_[leg]) - 1e-9)));
     Knot last = from;
-    for (double i = 1; i < steps; ++i) {
-      const double speed2 = from.speed2 + i / steps * (to.speed2 - from.speed2);
-      step(leg, last, {from.s_m + i / steps * length, speed2, std::sqrt(speed2)});
+    for (long i = 1; i < steps; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(steps);
+      const double speed2 = from.speed2 + share * (to.speed2 - from.speed2);
+      step(leg, last, {from.s_m + share * length, speed2, std::sqrt(speed2)});
     }
     step(leg, last, to);
   }
