@@ -39,16 +39,29 @@ PieceRecord record_of(const DrivePiece& piece) {
   return record;
 }
 
-/// Of samples at one time as the file writes it, the last one.
+/// Gain of speed in time.
+double slope_mps2(const Sample& from, const Sample& to) {
+  return (std::abs(to.speed_mps) - std::abs(from.speed_mps)) / (to.t_s - from.t_s);
+}
+
+/// May the later one of two samples go? It may not where the tool changes. The earlier one may where braking
+/// does not end there: the chord that is left is slower than the two.
+bool later_goes(const std::vector<Sample>& kept, const Sample& later) {
+  if (kept.size() < 2 || kept.back().tool_down != later.tool_down) return false;
+  return slope_mps2(kept[kept.size() - 2], kept.back()) < slope_mps2(kept.back(), later);
+}
+
+/// Of samples at one time as the file writes it, one.
 std::vector<Sample> distinct(const std::vector<Sample>& samples) {
   constexpr double kTicks_per_s = 1e4;  // four decimals
   std::vector<Sample> kept;
   for (const Sample& sample : samples) {
-    if (!kept.empty() &&
-        std::llround(sample.t_s * kTicks_per_s) <= std::llround(kept.back().t_s * kTicks_per_s))
-      kept.back() = sample;
-    else
+    const bool same = !kept.empty() &&
+                      std::llround(sample.t_s * kTicks_per_s) <= std::llround(kept.back().t_s * kTicks_per_s);
+    if (!same)
       kept.push_back(sample);
+    else if (&sample == &samples.back() || !later_goes(kept, sample))
+      kept.back() = sample;
   }
   return kept;
 }
