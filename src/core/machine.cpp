@@ -15,11 +15,6 @@ namespace {
 
 constexpr double kStep_m = 0.01;  // the step over which eq. 20 measures the change of curvature
 
-/// A differential machine has no steering: its curvature can change as fast as its wheels' speeds can.
-double wheelbase_for_steering_m(const Machine& machine) {
-  return machine.kind == MachineKind::car ? machine.wheelbase_m : machine.track_m;
-}
-
 double steer_rate_rad_s(const Machine& machine) { return radians_of_degrees(machine.max_steer_rate_deg_s); }
 
 struct Rule {
@@ -59,17 +54,27 @@ double max_curvature_per_m(const Machine& machine) {
 double max_sharpness_per_m2(const Machine& machine, double speed_mps) {
   const double angle = kStep_m * steer_rate_rad_s(machine) / speed_mps;
   const double safe = std::min(angle, 1.0);  // slower than 1 cm a radian: no limit that matters
-  return std::tan(safe) / (kStep_m * wheelbase_for_steering_m(machine));
+  return std::tan(safe) / (kStep_m * steering_base_m(machine));
+}
+
+double steering_base_m(const Machine& machine) {
+  return machine.kind == MachineKind::car ? machine.wheelbase_m : machine.track_m;
+}
+
+double steering_rate_rad_s(const Machine& machine, double curvature_per_m, double sharpness_per_m2,
+                           double speed_mps) {
+  const double base = steering_base_m(machine);
+  const double tangent = machine.kind == MachineKind::car ? base * curvature_per_m : 0;
+  return std::abs(sharpness_per_m2) * speed_mps * base / (1 + tangent * tangent);
 }
 
 double max_speed_mps(const Machine& machine, double curvature_per_m, double sharpness_per_m2) {
   double speed = machine.max_speed_mps;
   if (curvature_per_m != 0)
     speed = std::min(speed, std::sqrt(machine.max_lateral_mps2 / std::abs(curvature_per_m)));
-  if (sharpness_per_m2 != 0) {
-    const double angle = std::atan(kStep_m * wheelbase_for_steering_m(machine) * std::abs(sharpness_per_m2));
-    speed = std::min(speed, kStep_m * steer_rate_rad_s(machine) / angle);
-  }
+  if (sharpness_per_m2 != 0)
+    speed = std::min(speed, radians_of_degrees(machine.max_steer_rate_deg_s) /
+                                steering_rate_rad_s(machine, curvature_per_m, sharpness_per_m2, 1));
   return speed;
 }
 

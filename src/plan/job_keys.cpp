@@ -155,7 +155,8 @@ std::vector<JobKey> machine_keys() {
       machine<&M::clearance_m>("clearance_m", "--clearance", "m", "height of crop that passes below"),
       machine<&M::min_work_radius_m>("min_work_radius_m", "--min-work-radius", "m",
                                      "tightest curve with the tool down; auto: as without it", "auto"),
-      machine<&M::run_in_m>("run_in_m", "--run-in", "m", "straight distance before the tool goes down"),
+      machine<&M::run_in_m>("run_in_m", "--run-in", "m",
+                            "straight way before the work on which the tool is lowered"),
       machine<&M::tool_raise_s>("tool_raise_s", "--tool-raise", "s", "time to raise the tool"),
       machine<&M::tool_lower_s>("tool_lower_s", "--tool-lower", "s", "time to lower the tool"),
       key<JobType::truth, &Job::machine, &M::may_pivot>(

@@ -10,36 +10,9 @@
 namespace selion {
 namespace {
 
-std::string name_of(PieceKind kind) {
-  switch (kind) {
-    case PieceKind::swath:
-      return "swath";
-    case PieceKind::headland_pass:
-      return "headland_pass";
-    case PieceKind::turn:
-      return "turn";
-    case PieceKind::transfer:
-      return "transfer";
-  }
-  return {};
-}
-
 std::string name_of(ObstacleKind kind) {
   if (kind == ObstacleKind::water) return "water";
   return kind == ObstacleKind::no_go ? "no_go" : "obstacle";
-}
-
-bool works(PieceKind kind) { return kind == PieceKind::swath || kind == PieceKind::headland_pass; }
-
-double cap_mps(const Machine& machine, PieceKind kind, const Stretch& stretch) {
-  if (works(kind)) return machine.work_speed_mps;
-  const bool curved = stretch.curve.curvature_per_m != 0 || stretch.curve.sharpness_per_m2 != 0;
-  return curved ? machine.turn_speed_mps : machine.max_speed_mps;
-}
-
-DrivePiece wait_at(const Pose& pose, double wait_s) {
-  const Curve here{pose.at, pose.heading_rad, 0, 0, 0};
-  return {{{here, Gear::forward}, 0, false, wait_s}, "wait", ""};
 }
 
 LonLatLine to_lonlat(const LocalFrame& frame, const std::vector<Point>& points) {
@@ -66,16 +39,29 @@ PieceRecord record_of(const DrivePiece& piece) {
   return record;
 }
 
-/// Of samples at one time as the file writes it, the last one.
+/// Gain of speed in time.
+double slope_mps2(const Sample& from, const Sample& to) {
+  return (std::abs(to.speed_mps) - std::abs(from.speed_mps)) / (to.t_s - from.t_s);
+}
+
+/// May the later one of two samples go? It may not where the tool changes. The earlier one may where braking
+/// does not end there: the chord that is left is slower than the two.
+bool later_goes(const std::vector<Sample>& kept, const Sample& later) {
+  if (kept.size() < 2 || kept.back().tool_down != later.tool_down) return false;
+  return slope_mps2(kept[kept.size() - 2], kept.back()) < slope_mps2(kept.back(), later);
+}
+
+/// Of samples at one time as the file writes it, one.
 std::vector<Sample> distinct(const std::vector<Sample>& samples) {
   constexpr double kTicks_per_s = 1e4;  // four decimals
   std::vector<Sample> kept;
   for (const Sample& sample : samples) {
-    if (!kept.empty() &&
-        std::llround(sample.t_s * kTicks_per_s) <= std::llround(kept.back().t_s * kTicks_per_s))
-      kept.back() = sample;
-    else
+    const bool same = !kept.empty() &&
+                      std::llround(sample.t_s * kTicks_per_s) <= std::llround(kept.back().t_s * kTicks_per_s);
+    if (!same)
       kept.push_back(sample);
+    else if (&sample == &samples.back() || !later_goes(kept, sample))
+      kept.back() = sample;
   }
   return kept;
 }
@@ -150,21 +136,6 @@ void add_headland(PlanFile& file, const PlannedBlock& planned, const LocalFrame&
   }
 }
 
-std::vector<DrivePiece> drive_pieces(const Route& route, const Machine& machine) {
-  std::vector<DrivePiece> pieces;
-  for (const RoutePiece& piece : route.pieces) {
-    const bool work = works(piece.kind);
-    if (work && machine.tool_lower_s > 0)
-      pieces.push_back(wait_at(start_pose(piece.path), machine.tool_lower_s));
-    for (const Stretch& stretch : piece.path)
-      pieces.push_back(
-          {{stretch, cap_mps(machine, piece.kind, stretch), work, 0}, name_of(piece.kind), piece.ref});
-    if (work && machine.tool_raise_s > 0)
-      pieces.push_back(wait_at(end_pose(piece.path), machine.tool_raise_s));
-  }
-  return pieces;
-}
-
 }  // namespace
 
 LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area) {
@@ -177,14 +148,6 @@ double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad) {
   const double bearing =
       std::fmod(Heading::radians(heading_rad).bearing_deg() + frame.convergence_deg(p) + 360, 360);
   return bearing >= 359.99999 ? 0 : bearing;  // what rounding leaves of north
-}
-
-Drive drive_of(const Route& route, const Machine& machine) {
-  std::vector<DrivePiece> pieces = drive_pieces(route, machine);
-  std::vector<Leg> legs;
-  legs.reserve(pieces.size());
-  for (const DrivePiece& piece : pieces) legs.push_back(piece.leg);
-  return {std::move(pieces), drive(legs, machine)};
 }
 
 void add_records(PlanFile& file, const PlannedBlock& planned, const Drive& drive, const LocalFrame& frame,

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
+#include "drive.hpp"
 #include "selion/field/block.hpp"
 #include "selion/field/frame.hpp"
 #include "selion/layout/layout.hpp"
-#include "selion/motion/speed.hpp"
 #include "selion/plan/job.hpp"
 #include "selion/plan/plan.hpp"
 #include "selion/planfile/planfile.hpp"
@@ -20,20 +18,6 @@ struct PlannedBlock {
   Layout layout;
   Route route;
 };
-
-/// One leg a stretch, with its speed cap, and waits where the tool takes time to come down or up.
-struct DrivePiece {
-  Leg leg;
-  std::string kind;
-  std::string ref;
-};
-
-/// A route timed: its legs in order, and where the machine is when.
-struct Drive {
-  std::vector<DrivePiece> pieces;
-  std::vector<Sample> samples;
-};
-Drive drive_of(const Route& route, const Machine& machine);
 
 LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area);
 

@@ -52,11 +52,21 @@ struct Machine {
 double max_curvature_per_m(const Machine& machine);
 
 /// Sharpness (change of curvature along the path, 1/m2) that the steering rate allows at `speed_mps` (Cariou
-/// et al. 2020, eq. 20; the exact rate grows with curvature, so this is safe everywhere).
+/// et al. 2020, eq. 20: what turns are planned with). It is the exact limit where the path is straight, to
+/// 1e-4, and safe where it bends.
 double max_sharpness_per_m2(const Machine& machine, double speed_mps);
 
-/// Fastest speed at which a curve of this curvature and sharpness can be driven: lateral acceleration,
-/// steering rate (eq. 20 solved for the speed) and max_speed_mps.
+/// Length between the parts that steer, m: the wheelbase, or the track of a differential machine.
+double steering_base_m(const Machine& machine);
+
+/// How fast the steering moves, rad/s, where the path has this curvature and sharpness: |sharpness| v L / (1
+/// + (L curvature)^2), the derivative of the angle atan(L curvature) of eq. 16. A differential machine has no
+/// steering angle: |sharpness| v track, at which the quotient of its sides' speeds changes.
+double steering_rate_rad_s(const Machine& machine, double curvature_per_m, double sharpness_per_m2,
+                           double speed_mps);
+
+/// Fastest speed where the path has this curvature and sharpness: lateral acceleration, steering rate (exact,
+/// see steering_rate_rad_s) and max_speed_mps.
 double max_speed_mps(const Machine& machine, double curvature_per_m, double sharpness_per_m2);
 
 /// @throws InputError naming the key, its value and what it must be.

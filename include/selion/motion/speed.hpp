@@ -31,13 +31,27 @@ struct Sample {
   bool tool_down = false;      ///< from here to the next sample
 };
 
-/// Fastest drive over the legs within caps, acceleration, braking, lateral acceleration and steering rate,
-/// from and to rest, resting at changes of gear and at waits. A sample stands at every end of a leg, every
-/// corner of the speed profile, every tool change and wait, and at most 0.25 m apart where the curve bends,
-/// 100 m on straights. Times increase strictly (a wait repeats the position). A joint of legs is one sample,
-/// of the later leg. Legs below 1e-6 m take no time and have no sample; corners of the profile within 0.5 ms
-/// of each other are one. Linear in legs and length.
+/// Speeds where the legs begin and end, m/s ahead in the gear of the leg. They are lowered to what the limits
+/// there allow, to what can be reached and to what can be braked from.
+struct EndSpeeds {
+  double start_mps = 0;
+  double end_mps = 0;
+};
+
+/// Fastest drive over the legs below the limits at every place: caps, max_speed_mps() with its lateral
+/// acceleration and exact steering rate, acceleration and braking; at rest at changes of gear and at waits.
+/// No limit is exceeded between samples; where lateral acceleration or steering rate rules, the speed is at
+/// most 2 % below it. A sample stands at every end of a leg, every corner of the speed profile, every tool
+/// change and wait, and at most 0.25 m apart where the curve bends, 100 m on straights. Times increase
+/// strictly (a wait repeats the position). A joint of legs is one sample, of the later leg. Legs below 1e-6 m
+/// take no time and have no sample; corners of the profile within 0.5 ms of each other are one where the
+/// profile without them stays below the limits. Linear in legs and length. Bobrow, Dubowsky and Gibson 1985.
 /// @pre every leg with a length has a cap above 0.
+std::vector<Sample> drive(std::span<const Leg> legs, const Machine& machine, const EndSpeeds& ends);
+/// From and to rest.
 std::vector<Sample> drive(std::span<const Leg> legs, const Machine& machine);
+
+/// Time of that same drive, to rounding, without its samples.
+double duration_s(std::span<const Leg> legs, const Machine& machine, const EndSpeeds& ends);
 
 }  // namespace selion

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/motion/timed_turn.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "selion/motion/turns.hpp"
+
+namespace selion {
+namespace {
+
+constexpr double kNextSpeed = 0.75;
+constexpr double kLeastClothoid = 0.1;  // of the tightest radius
+constexpr std::size_t kMostSpeeds = 10;
+
+/// Straights before and after the turn, so long that it may begin and end at rest.
+struct Leads {
+  double before_m = 0;
+  double after_m = 0;
+  double time_s = 0;  ///< of both at work speed
+};
+
+Leads leads_of(const Machine& machine) {
+  const double speed = machine.work_speed_mps;
+  const double before = speed * speed / 2 / machine.max_brake_mps2;
+  const double after = speed * speed / 2 / machine.max_accel_mps2;
+  return {before, after, (before + after) / speed};
+}
+
+void add_turn(std::vector<Leg>& legs, const Path& turn, const Machine& machine) {
+  for (const Stretch& stretch : turn)
+    legs.push_back({stretch, turn_cap_mps(machine, stretch.curve), false, 0});
+}
+
+/// The legs of `legs` are overwritten: a buffer for many turns. Speeds do not hang on places.
+double time_s(const Path& turn, const Machine& machine, const Leads& leads, std::vector<Leg>& legs) {
+  legs.clear();
+  legs.push_back({{{{}, 0, 0, 0, leads.before_m}}, machine.work_speed_mps, true, 0});
+  add_turn(legs, turn, machine);
+  legs.push_back({{{{}, 0, 0, 0, leads.after_m}}, machine.work_speed_mps, true, 0});
+  const EndSpeeds work{machine.work_speed_mps, machine.work_speed_mps};
+  return duration_s(legs, machine, work) - leads.time_s;
+}
+
+}  // namespace
+
+double turn_cap_mps(const Machine& machine, const Curve& curve) {
+  const bool bends = curve.curvature_per_m != 0 || curve.sharpness_per_m2 != 0;
+  return bends ? machine.turn_speed_mps : machine.max_speed_mps;
+}
+
+std::vector<Leg> turn_legs(const Path& turn, const Machine& machine) {
+  std::vector<Leg> legs;
+  legs.reserve(turn.size());
+  add_turn(legs, turn, machine);
+  return legs;
+}
+
+double turn_time_s(const Path& turn, const Machine& machine) {
+  std::vector<Leg> legs;
+  return time_s(turn, machine, leads_of(machine), legs);
+}
+
+std::vector<double> turn_speeds(const Machine& machine) {
+  const double curvature = max_curvature_per_m(machine);
+  std::vector<double> speeds{machine.turn_speed_mps};
+  while (speeds.size() < kMostSpeeds) {
+    const double next = kNextSpeed * speeds.back();
+    if (curvature * curvature < kLeastClothoid * max_sharpness_per_m2(machine, next)) break;
+    speeds.push_back(next);
+  }
+  return speeds;
+}
+
+std::optional<TimedTurn> fastest_turn(const Pose& from, const Pose& to, const Machine& machine,
+                                      std::span<const double> speeds_mps, const Inside& inside) {
+  const Leads leads = leads_of(machine);
+  std::vector<Leg> legs;
+  std::optional<TimedTurn> best;
+  for (const double speed : speeds_mps) {
+    for (Path& path : connections(from, to, limits_at(machine, speed))) {
+      if (best && length_m(path) >= best->time_s * machine.max_speed_mps)
+        break;  // nor is a longer one faster
+      const double time = time_s(path, machine, leads, legs);
+      if ((best && time >= best->time_s) || !inside(path)) continue;
+      best = TimedTurn{std::move(path), speed, time};
+    }
+  }
+  return best;
+}
+
+}  // namespace selion

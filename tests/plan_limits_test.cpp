@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <filesystem>
+#include <sstream>
+
+#include "motion_drives.hpp"
+#include "plan_check.hpp"
+#include "selion/field/read.hpp"
+#include "selion/motion/timed_turn.hpp"
+#include "selion/plan/job_file.hpp"
+#include "selion/plan/plan.hpp"
+
+using namespace selion;
+
+namespace {
+
+Field paper_field(const std::string& name) {
+  std::istringstream nothing;
+  return read_fields(std::filesystem::path{SELION_DATA_DIR} / "fields" / (name + ".geojson"), {}, nothing)
+      .at(0);
+}
+
+/// What the records of a drive without waits tell.
+std::vector<Leg> legs_of(const TrajectoryRecord& trajectory, const Machine& machine) {
+  std::vector<Leg> legs;
+  for (const PieceRecord& p : trajectory.pieces) {
+    const Curve curve{{p.x_m, p.y_m}, p.heading_rad, p.curvature_per_m, p.sharpness_per_m2, p.length_m};
+    const double cap = p.tool == 1 ? machine.work_speed_mps : turn_cap_mps(machine, curve);
+    legs.push_back({{curve, p.gear > 0 ? Gear::forward : Gear::reverse}, cap, p.tool == 1, 0});
+  }
+  return legs;
+}
+
+}  // namespace
+
+TEST_CASE("every plan of the paper's fields keeps every limit on its whole way", "[plan][limits]") {
+  const auto name = GENERATE("f1", "f2", "f3", "f4", "f5", "f6");
+  const auto machine =
+      GENERATE("preset = \"robot-3m\"", "preset = \"tractor-6m\"", "preset = \"husky\"\nworking_width_m = 3",
+               "preset = \"p3\"\nworking_width_m = 4\nmax_steer_deg = 18",
+               "preset = \"p3\"\nworking_width_m = 6\nturn_speed_mps = 1\nwork_speed_mps = 3.5");
+  CAPTURE(name, machine);
+  const Job job = job_of(settings_of_toml(std::string{"[machine]\n"} + machine + "\n", "test"));
+
+  const auto planned = plan(paper_field(name), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});
+  for (const TrajectoryRecord& trajectory : planned->file.trajectories) {
+    const std::vector<Leg> legs = legs_of(trajectory, job.machine);
+    const std::vector<Sample> samples = drive(legs, job.machine);
+    CHECK(samples.back().t_s == Approx(trajectory.duration_s).epsilon(1e-9));  // the same drive
+    check_within(limit_use(legs, samples, job.machine));
+  }
+}
