@@ -63,10 +63,13 @@ Point direction(Wide angle_rad) {
     return bulk + angle_rad.low * left_of(bulk);
   }
   const double bulk = angle_rad.high - quarters * kQuarterHigh;
-  const Wide rest = exact_sum(bulk, -quarters * kQuarterMiddle);
-  const double low = (rest.low - quarters * kQuarterLow) + angle_rad.low;
-  const double high = rest.high + low;
-  return turned(small_direction(high, (rest.high - high) + low), static_cast<std::int64_t>(quarters));
+  const double middle = quarters * kQuarterMiddle;
+  // Where `middle` is the larger one, their difference has no rounding error, so the short form is exact.
+  const double rest = bulk - middle;
+  const double lost = (bulk - rest) - middle;
+  const double low = (lost - quarters * kQuarterLow) + angle_rad.low;
+  const double high = rest + low;
+  return turned(small_direction(high, (rest - high) + low), static_cast<std::int64_t>(quarters));
 }
 
 Point quarter_direction(Wide quarters) {

@@ -80,12 +80,13 @@ double sign_of(double k, double otherwise) {
 Point antiderivative(double k, double c, double sign) {
   constexpr double kFar = kPi * kFresnelFar * kFresnelFar;
   if (k * k >= kFar * c) {
-    const double ratio = c / (k * k);
+    const double radius = 1 / k;
+    const double ratio = c * radius * radius;
     const Auxiliary part = far_auxiliary(ratio);
-    return {part.g * ratio / k, part.f / k};
+    return {part.g * ratio * radius, part.f * radius};
   }
   const double scale = std::sqrt(kPi / c);
-  const Auxiliary part = auxiliary(std::abs(k) / (c * scale));
+  const Auxiliary part = auxiliary(std::abs(k) * scale * (1 / kPi));
   return {sign * scale * part.g, sign * scale * part.f};
 }
 
@@ -135,6 +136,7 @@ Point displaced(const Curve& curve, double s, Ends ends) {
   const double p = (k + c * half) * half;
   const double q = c * half * half / 2;
   const double phase = std::abs(p) + 2 * std::abs(q);
+  if (phase == 0) return s * direction({curve.heading_rad, 0});
   if (phase <= kLittle) {
     const Point mean = phase <= kLeast ? mean_direction<false>(p, q) : mean_direction<true>(p, q);
     return s * times(mean, direction(exact_sum(curve.heading_rad, (k + c * half / 2) * half)));
