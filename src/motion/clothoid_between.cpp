@@ -64,8 +64,8 @@ Shot shoot(const Angles& angles, double a, const EndDirections& ways) {
 }  // namespace
 
 Curve clothoid_between(const Pose& from, const Pose& to) {
-  // Newton's error after a step this small is below 1e-16.
-  constexpr double kSmall = 1e-9;
+  // Newton's error is a share of the step's square, and the more of it the farther the curve goes round.
+  constexpr double kSmall = 1e-16;
   const Point chord = to.at - from.at;
   const double along = heading_rad(chord);
   const Angles angles{wrapped(from.heading_rad - along), wrapped(to.heading_rad - along)};
@@ -77,7 +77,7 @@ Curve clothoid_between(const Pose& from, const Pose& to) {
     const double step = -shot.end.y_m / shot.slope.y_m;
     a += step;
     reach = shot.end.x_m + step * shot.slope.x_m;
-    if (std::abs(step) < kSmall) break;
+    if (step * step < kSmall * std::abs(reach)) break;
   }
   const double length = length_m(chord) / reach;
   if (length == 0) return {from.at, from.heading_rad, 0, 0, 0};

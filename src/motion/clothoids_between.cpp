@@ -71,7 +71,8 @@ Unknowns newton_step(const Task& task, const Unknowns& at, Point now) {
 
 /// Half the step, and half again, until it leads nearer.
 std::optional<Unknowns> nearer(const Task& task, const Unknowns& at, const Unknowns& step, double distance) {
-  for (double share = 1; share > 1e-3; share /= 2) {
+  double share = 1;
+  for (int i = 0; i < 10; ++i, share /= 2) {
     const Unknowns next = moved(at, share, step);
     if (next.middle_m > 0 && length_m(miss(task, next)) < distance) return next;
   }
@@ -116,7 +117,7 @@ Three placed(Three three, const Pose& from, double turned_by, double scale) {
 }  // namespace
 
 std::optional<Three> clothoids_between(const BentPose& from, const BentPose& to) {
-  constexpr double kShortest = 1e-4;
+  constexpr int kHalvings = 14;
   const Point chord = to.pose.at - from.pose.at;
   const double scale = length_m(chord);
   if (scale == 0) return std::nullopt;
@@ -128,9 +129,9 @@ std::optional<Three> clothoids_between(const BentPose& from, const BentPose& to)
   const double end_curvature = end_of(single).curvature_per_m;
   const double first = outer_length(task.start_curvature, single.curvature_per_m, single.length_m);
   const double last = outer_length(task.end_curvature, end_curvature, single.length_m);
-  for (double share = 1; share > kShortest; share /= 2) {
-    task.first_m = share * first;
-    task.last_m = share * last;
+  for (int i = 0; i < kHalvings; ++i) {
+    task.first_m = std::ldexp(first, -i);
+    task.last_m = std::ldexp(last, -i);
     const Unknowns guess{single.curvature_per_m + single.sharpness_per_m2 * task.first_m,
                          single.length_m - task.first_m - task.last_m};
     if (const auto three = solved(task, guess)) return placed(*three, from.pose, along, scale);
