@@ -164,7 +164,8 @@ def shapes():
     """(curvature, sharpness, length), each over its orders of magnitude."""
     chance = random.Random(2)
     either = lambda low, high: chance.choice((-1, 1)) * 10 ** chance.uniform(low, high)
-    rows = [(0.0, 0.0, 1000.0), (10.0, 0.0, 1000.0), (0.0, 10.0, 1000.0), (-10.0, 0.02, 1000.0), (-10.0, 10.0, 2.0)]
+    rows = [(0.0, 0.0, 1000.0), (10.0, 0.0, 1000.0), (0.0, 10.0, 1000.0), (-10.0, 0.02, 1000.0), (-10.0, 10.0, 2.0),
+            (-10.0, 0.02, 500.0), (-9.7, 0.0203, 480.0), (3.3, -0.0071, 465.0), (7.77, -0.0155, 500.0)]
     while len(rows) < 400:
         k = 0.0 if chance.random() < 0.1 else either(-12, 1)
         c = 0.0 if chance.random() < 0.1 else either(-14, 1)
