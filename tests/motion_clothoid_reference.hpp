@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-// Printed by tools/make_fresnel.py. Curvature, sharpness, length, and the end's x and y of the curve that starts eastwards at 0
+// Printed by tools/make_fresnel.py. Curvature, sharpness, length, end x, end y; eastwards from 0
 // clang-format off
 namespace selion {
 

@@ -179,7 +179,7 @@ def shapes():
 
 
 def print_clothoids():
-    print_header("Curvature, sharpness, length, and the end's x and y of the curve that starts eastwards at 0")
+    print_header("Curvature, sharpness, length, end x, end y; eastwards from 0")
     rows = shapes()
     print(f"constexpr std::array<std::array<long double, 5>, {len(rows)}> kClothoidReference{{{{")
     for k, c, s in rows:
