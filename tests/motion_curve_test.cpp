@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "../src/motion/fresnel.hpp"
+#include "../src/motion/displacement.hpp"
 #include "selion/core/angle.hpp"
 
 using namespace selion;
@@ -68,25 +68,6 @@ double error_of(const Curve& curve) {
 }
 
 }  // namespace
-
-TEST_CASE("Fresnel integrals agree with long double quadrature to 2e-15 up to 50", "[motion][fresnel]") {
-  for (double t = -50; t <= 50; t += 0.4618) {
-    const double u = std::abs(t) < 1 ? t / 10 : t;
-    const Point slowly = displaced_slowly({{}, 0, 0, std::numbers::pi, u});
-    const FresnelPair pair = fresnel(u);
-    CAPTURE(u);
-    // pi itself is rounded in the curve's sharpness: 4e-17 t^2 of phase on a tail of 1 / (pi t).
-    CHECK(std::abs(pair.c - slowly.x_m) < 1e-15 + 4e-17 * std::abs(u));
-    CHECK(std::abs(pair.s - slowly.y_m) < 1e-15 + 4e-17 * std::abs(u));
-  }
-}
-
-TEST_CASE("Fresnel integrals have the values of Abramowitz and Stegun, table 7.7", "[motion][fresnel]") {
-  CHECK(fresnel(1).c == Approx(0.7798934).margin(5e-8));
-  CHECK(fresnel(1).s == Approx(0.4382591).margin(5e-8));
-  CHECK(fresnel(5).c == Approx(0.5636312).margin(5e-8));
-  CHECK(fresnel(5).s == Approx(0.4991914).margin(5e-8));
-}
 
 TEST_CASE("curves up to 1 km end where quadrature says, whatever their curvature and sharpness",
           "[motion][curve]") {

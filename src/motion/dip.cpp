@@ -4,8 +4,8 @@
 #include <numbers>
 #include <optional>
 
+#include "displacement.hpp"
 #include "families.hpp"
-#include "fresnel.hpp"
 #include "offer.hpp"
 #include "root.hpp"
 

@@ -4,145 +4,71 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
+#include <cstddef>
 #include <numbers>
 
-// A clothoid is evaluated by what its heading does: while the heading turns little, Gauss-Legendre; where the
-// curvature stays away from 0, the asymptotic series at both ends; else as a difference of Fresnel integrals,
-// which are made of the same two.
+#include "direction.hpp"
+#include "fresnel_table.hpp"
+
 namespace selion {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
+// Below this the power series is used.
+constexpr double kNear = 0.75;
 
-struct Node {
-  double x;
-  double weight;
-};
-// The positive half of the Gauss-Legendre rules of 10 and 16 points.
-constexpr auto kCoarse = std::to_array<Node>({{0.14887433898163121088, 0.29552422471475287017},
-                                              {0.4333953941292471908, 0.26926671930999635509},
-                                              {0.67940956829902440623, 0.219086362515982044},
-                                              {0.86506336668898451073, 0.14945134915058059315},
-                                              {0.97390652851717172008, 0.066671344308688137594}});
-constexpr auto kFine = std::to_array<Node>({{0.095012509837637440185, 0.18945061045506849629},
-                                            {0.28160355077925891323, 0.18260341504492358887},
-                                            {0.45801677765722738634, 0.16915651939500253819},
-                                            {0.61787624440264374845, 0.14959598881657673208},
-                                            {0.7554044083550030339, 0.12462897125553387205},
-                                            {0.86563120238783174388, 0.09515851168249278481},
-                                            {0.94457502307323257608, 0.062253523938647892863},
-                                            {0.9894009349916499326, 0.027152459411754094852}});
-// Largest change of heading over half the length, counted at the larger curvature, at which each rule errs by
-// 1e-16.
-constexpr double kCoarsePhase = 0.7;
-constexpr double kFinePhase = 3;
-// Least curvature^2 / |sharpness| at which the asymptotic series reaches 1e-16 (its smallest term is
-// exp(-half of this)).
-constexpr double kAsymptotic = 75;
-
-Complex turned(Complex z, double angle_rad) { return z * Complex{std::cos(angle_rad), std::sin(angle_rad)}; }
-
-/// Mean of exp(i (p x + q x^2)) over [-1, 1]; the odd part drops out.
-template <std::size_t Size>
-Complex mean_direction(double p, double q, const std::array<Node, Size>& rule) {
-  double along = 0;
-  double across = 0;
-  for (const Node node : rule) {
-    const double even = node.weight * std::cos(p * node.x);
-    const double phase = q * node.x * node.x;
-    along += even * std::cos(phase);
-    across += even * std::sin(phase);
-  }
-  return {along, across};
+/// In four strands, which a processor computes side by side.
+double polynomial(const std::array<double, 12>& c, double x) {
+  const double xx = x * x;
+  const double y = xx * xx;
+  const double even = (c[0] + y * (c[4] + y * c[8])) + xx * (c[2] + y * (c[6] + y * c[10]));
+  const double odd = (c[1] + y * (c[5] + y * c[9])) + xx * (c[3] + y * (c[7] + y * c[11]));
+  return even + x * odd;
 }
 
-double half_phase(double k, double c, double s) {
-  return std::max(std::abs(k), std::abs(k + c * s)) * std::abs(s) / 2;
-}
-
-/// Displacement from heading 0. @pre the phase is at most kFinePhase.
-Complex by_quadrature(double k, double c, double s) {
-  const double half = s / 2;
-  const double middle_heading = (k + c * half / 2) * half;
-  const double p = (k + c * half) * half;
-  const double q = c * half * half / 2;
-  const Complex mean =
-      half_phase(k, c, s) <= kCoarsePhase ? mean_direction(p, q, kCoarse) : mean_direction(p, q, kFine);
-  return turned(s * mean, middle_heading);
-}
-
-/// The A in exp(i heading) A, an antiderivative of exp(i heading), where the curvature is k: repeated
-/// integration by parts.
-Complex asymptotic_end(double k, double c) {
-  const Complex ratio{0, -c / (k * k)};
-  Complex term{0, -1 / k};
-  Complex sum = term;
-  for (int n = 1; n < 40 && std::abs(term.real()) + std::abs(term.imag()) > 1e-18 * std::abs(1 / k); ++n) {
-    term *= (2 * n - 1.0) * ratio;
-    sum += term;
-  }
+double series(const std::array<double, 10>& c, double x) {
+  double sum = 0;
+  for (std::size_t n = c.size(); n-- > 0;) sum = sum * x + c[n];
   return sum;
-}
-
-bool is_asymptotic(double k, double c) { return k * k >= kAsymptotic * std::abs(c); }
-
-/// pi/2 t^2 modulo 2 pi: the square's rounding error, which grows with t, is put back.
-double fresnel_phase(double t) {
-  const double square = t * t;
-  return kPi / 2 * (std::fmod(square, 4.0) + std::fma(t, t, -square));
-}
-
-/// C + iS for t >= 0.
-Complex fresnel_upwards(double t) {
-  if (is_asymptotic(kPi * t, kPi))
-    return Complex{0.5, 0.5} + turned(asymptotic_end(kPi * t, kPi), fresnel_phase(t));
-  const int panels = 1 + static_cast<int>(kPi * t * t / (2 * kFinePhase));
-  const double step = t / panels;
-  Complex sum = 0;
-  for (int i = 0; i < panels; ++i)
-    sum += turned(by_quadrature(kPi * i * step, kPi, step), fresnel_phase(i * step));
-  return sum;
-}
-
-Complex fresnel_complex(double t) { return t < 0 ? -fresnel_upwards(-t) : fresnel_upwards(t); }
-
-Complex by_fresnel(double k, double c, double s) {
-  if (c < 0) return std::conj(by_fresnel(-k, -c, s));
-  const double scale = std::sqrt(kPi / c);
-  const double from = k / (c * scale);
-  const double to = (k + c * s) / (c * scale);
-  return turned(scale * (fresnel_complex(to) - fresnel_complex(from)), -fresnel_phase(from));
-}
-
-Complex arc(double k, double s) {
-  const double half = k * s / 2;
-  const double chord = std::abs(half) < 1e-4 ? s * (1 - half * half / 6) : std::sin(half) / half * s;
-  return turned(chord, half);
-}
-
-/// Displacement from heading 0.
-Complex from_east(double k, double c, double s) {
-  if (c == 0) return k == 0 ? Complex{s} : arc(k, s);
-  if (half_phase(k, c, s) <= kFinePhase) return by_quadrature(k, c, s);
-  const double end = k + c * s;
-  const bool away_from_straight = (k > 0) == (end > 0) && is_asymptotic(k, c) && is_asymptotic(end, c);
-  if (!away_from_straight) return by_fresnel(k, c, s);
-  return turned(asymptotic_end(end, c), (k + c * s / 2) * s) - asymptotic_end(k, c);
 }
 
 }  // namespace
 
-FresnelPair fresnel(double t) {
-  const Complex pair = fresnel_complex(t);
-  return {pair.real(), pair.imag()};
+Auxiliary auxiliary(double t) {
+  constexpr double kPerUnit = kFresnelPieces / kFresnelFar;
+  const double at = t * kPerUnit;
+  const auto piece = std::min(static_cast<std::size_t>(at), kFresnelPieces - 1);
+  const double x = 2 * (at - static_cast<double>(piece)) - 1;
+  return {polynomial(kFresnelF[piece], x), polynomial(kFresnelG[piece], x)};
 }
 
-Point displacement(const Curve& curve, double s_m) {
-  const Complex way =
-      turned(from_east(curve.curvature_per_m, curve.sharpness_per_m2, s_m), curve.heading_rad);
-  return {way.real(), way.imag()};
+Auxiliary far_auxiliary(double inverse) {
+  constexpr double kSpan = kPi * kFresnelFar * kFresnelFar;
+  const double ratio = kSpan * inverse;
+  const double x = 2 * ratio * ratio - 1;
+  return {polynomial(kFresnelFarF, x), polynomial(kFresnelFarG, x)};
+}
+
+FresnelPair fresnel(double t) {
+  const double size = std::abs(t);
+  const double square = t * t;
+  if (size < kNear) {
+    const double fourth = square * square;
+    return {t * series(kFresnelNearC, fourth), t * square * series(kFresnelNearS, fourth)};
+  }
+  const double side = t < 0 ? -1 : 1;
+  if (size > 0x1p+53) return {side * 0.5, side * 0.5};
+  const Point turn = quarter_direction(exact_product(t, t));
+  Auxiliary part;
+  if (size < kFresnelFar) {
+    part = auxiliary(size);
+  } else {
+    const double inverse = 1 / (kPi * square);
+    part = far_auxiliary(inverse);
+    part = {part.f / (kPi * size), part.g * inverse / (kPi * size)};
+  }
+  return {side * (0.5 + (part.f * turn.y_m - part.g * turn.x_m)),
+          side * (0.5 - (part.f * turn.x_m + part.g * turn.y_m))};
 }
 
 }  // namespace selion

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fresnel.hpp"
+#include "displacement.hpp"
 #include "selion/core/angle.hpp"
 
 namespace selion {

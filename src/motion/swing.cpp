@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "fresnel.hpp"
+#include "displacement.hpp"
 
 namespace selion {
 namespace {

@@ -26,7 +26,7 @@ struct CurveState {
   double curvature_per_m = 0;
 };
 
-/// Exact to 1e-9 m for curves up to 1 km; `s_m` may lie outside [0, length].
+/// Exact to 1e-15 of the way driven and of the numbers given; `s_m` may lie outside [0, length].
 CurveState state_at(const Curve& curve, double s_m);
 CurveState end_of(const Curve& curve);
 /// @pre a != b.
