@@ -52,9 +52,10 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Pose& from, const 
   if (auto straight = straight_on(from, to))
     return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
   const double longest = longest_turn_m(terrain, from, to);
-  for (Path& turn : connections(from, to, terrain.limits)) {
-    if (length_m(turn) > longest) break;
-    if (stays_inside(terrain.space, terrain.footprint, turn)) return std::move(turn);
+  Connections turns{from, to, terrain.swings};
+  while (auto turn = turns.next()) {
+    if (length_m(*turn) > longest) break;
+    if (stays_inside(terrain.space, terrain.footprint, *turn)) return turn;
   }
   return std::nullopt;
 }

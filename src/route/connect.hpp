@@ -15,6 +15,7 @@ struct Terrain {
   const FreeSpace& space;
   Footprint footprint;
   CurveLimits limits;
+  Swings swings;  ///< within those limits
   bool may_reverse = false;
   const AreaIndex& mainland;  ///< not to be driven over where there is another way
 };

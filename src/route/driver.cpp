@@ -23,7 +23,11 @@ Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
     : machine_{machine},
       space_{free_space(block.free, footprint_of(machine))},
       mainland_{layout.mainland},
-      terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse,
+      terrain_{space_,
+               footprint_of(machine),
+               limits_at(machine, machine.turn_speed_mps),
+               Swings{limits_at(machine, machine.turn_speed_mps)},
+               machine.may_reverse,
                mainland_},
       roads_{terrain_, tracks_of(layout, machine, terrain_)} {}
 

@@ -170,9 +170,10 @@ std::optional<Arrival> Search::shot(std::size_t node) const {
   const double longest = 12 / terrain_.limits.curvature_per_m + 2 * guide_.to_goal_m(here.at);
   for (const std::size_t goal : nearest_goals(here.at)) {
     if (dubins_length_m(here, goals_[goal], 1 / terrain_.limits.curvature_per_m) > longest) continue;
-    for (Path& turn : connections(here, goals_[goal], terrain_.limits)) {
-      if (length_m(turn) > longest) break;
-      if (stays_inside(terrain_.space, terrain_.footprint, turn)) return Arrival{goal, std::move(turn)};
+    Connections turns{here, goals_[goal], terrain_.swings};
+    while (auto turn = turns.next()) {
+      if (length_m(*turn) > longest) break;
+      if (stays_inside(terrain_.space, terrain_.footprint, *turn)) return Arrival{goal, std::move(*turn)};
     }
   }
   return std::nullopt;
