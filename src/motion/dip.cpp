@@ -145,7 +145,7 @@ std::optional<Dip> polished(Dip dip, const Pose& goal, const Swings& swings) {
     const double back = dip.dip_per_m > dq ? -dq : dq;  // towards 0, where every dip exists
     const auto by_dip = miss_of(dip.dip_per_m + back, dip.first_rad);
     const auto by_first = miss_of(dip.dip_per_m, dip.first_rad + dfirst);
-    if (!by_dip || !by_first) return met ? std::optional{dip} : std::nullopt;
+    if (!by_dip || !by_first) return std::nullopt;
     const Point a = (1 / back) * (*by_dip - *miss);
     const Point b = (1 / dfirst) * (*by_first - *miss);
     const double scale = cross(a, b);

@@ -99,6 +99,12 @@ void add(std::vector<Word>& words, const Line& word, double root) {
   words.push_back({0, {word.first_side * u, word.second_side * v, 0}, std::abs(line) < kNoLine_m ? 0 : line});
 }
 
+void add_within(std::vector<Word>& words, const Line& word, const std::array<double, 2>& roots, double from,
+                double to) {
+  for (const double u : roots)
+    if (u >= from - kSeam_rad && u <= to + kSeam_rad) add(words, word, u);
+}
+
 /// Roots between two neighbouring samples; a dip towards 0 between three is looked into at the vertex of its
 /// parabola.
 class Scan {
@@ -147,6 +153,11 @@ class Scan {
   int seen_ = 0;
 };
 
+void see_between(Scan& scan, double from, double width) {
+  const int steps = std::max(3, static_cast<int>(std::ceil(width * 4)));
+  for (int k = 1; k <= steps; ++k) scan.see(from + width * k / steps);
+}
+
 }  // namespace
 
 std::vector<Word> swing_line_swings(const Pose& goal, int first_side, int second_side, const Swings& swings) {
@@ -173,17 +184,14 @@ std::vector<Word> swings_on_a_line(const Pose& goal, int first_side, int second_
     if (width <= 0) continue;
     const double middle = bounds[i - 1] + width / 2;
     const bool full_swings = middle >= full && word.second(middle) >= full;
-    if (full_swings && full_roots)
-      for (const double u : *full_roots)
-        if (u >= bounds[i - 1] - kSeam_rad && u <= bounds[i] + kSeam_rad) add(words, word, u);
+    if (full_swings && full_roots) add_within(words, word, *full_roots, bounds[i - 1], bounds[i]);
     if (full_swings || !word.may_meet(middle, width / 2)) {
       joined = false;
       continue;
     }
     if (!joined) scan.begin_at(bounds[i - 1]);
     joined = true;
-    const int steps = std::max(3, static_cast<int>(std::ceil(width * 4)));
-    for (int k = 1; k <= steps; ++k) scan.see(bounds[i - 1] + width * k / steps);
+    see_between(scan, bounds[i - 1], width);
   }
   return words;
 }

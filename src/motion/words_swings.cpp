@@ -62,6 +62,17 @@ double stepped(double deflection_rad, double by_rad) {
                     deflection_rad + kStride_rad);
 }
 
+/// Sets the second deflection so that all three turn by `turned_rad`; false where no swing does.
+bool second_follows(ThreeSwings& d, double turned_rad) {
+  d[1] = d[0] + d[2] - turned_rad;
+  if (d[1] < 0) {  // the outer swings give way
+    d[0] = std::min(kMost_rad, d[0] - d[1] / 2 + kLeast_rad);
+    d[2] = std::min(kMost_rad, d[2] - d[1] / 2 + kLeast_rad);
+    d[1] = d[0] + d[2] - turned_rad;
+  }
+  return d[1] >= 0 && d[1] <= kMost_rad && d[0] <= kMost_rad && d[2] <= kMost_rad;
+}
+
 /// Left, right, left; the deflections as magnitudes.
 std::optional<ThreeSwings> polished_left(const ThreeSwings& start, const Pose& goal, const Swings& swings) {
   const double drawn = start[0] - start[1] + start[2];
@@ -70,13 +81,7 @@ std::optional<ThreeSwings> polished_left(const ThreeSwings& start, const Pose& g
   const Point at_end = unit(goal.heading_rad);
   double miss_before_m = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kSteps; ++i) {
-    d[1] = d[0] + d[2] - turned;
-    if (d[1] < 0) {  // the outer swings give way
-      d[0] = std::min(kMost_rad, d[0] - d[1] / 2 + kLeast_rad);
-      d[2] = std::min(kMost_rad, d[2] - d[1] / 2 + kLeast_rad);
-      d[1] = d[0] + d[2] - turned;
-    }
-    if (!(d[1] >= 0 && d[1] <= kMost_rad && d[0] <= kMost_rad && d[2] <= kMost_rad)) return std::nullopt;
+    if (!second_follows(d, turned)) return std::nullopt;
     const Miss miss = miss_of(d, at_end, goal.at, swings);
     const double miss_m = std::abs(miss.value.x_m) + std::abs(miss.value.y_m);
     if (miss_m < kSettled_m) return d;
