@@ -49,12 +49,15 @@ double turn_depth_m(const Machine& machine, double spacing_m) {
   const Footprint footprint = footprint_of(machine);
   const Pose out{{-machine.tool_x_m, 0}, 0};
   const Pose back{{machine.tool_x_m + machine.run_in_m, spacing_m}, std::numbers::pi};
-  const std::vector<Path> turns = connections(out, back, limits_at(machine, machine.turn_speed_mps));
+  const Swings swings{limits_at(machine, machine.turn_speed_mps)};
+  Connections turns{out, back, swings};
   double least = std::numeric_limits<double>::infinity();
-  for (const Path& turn : turns) {
-    if (length_m(turn) > kNotMuchLonger * length_m(turns.front())) break;
+  double longest = least;
+  while (const auto turn = turns.next()) {
+    if (length_m(*turn) > longest) break;
+    longest = std::min(longest, kNotMuchLonger * length_m(*turn));
     double depth = 0;
-    for (const Pose& pose : poses(turn, 0.1)) depth = std::max(depth, farthest_x_m(footprint, pose));
+    for (const Pose& pose : poses(*turn, 0.1)) depth = std::max(depth, farthest_x_m(footprint, pose));
     least = std::min(least, depth);
   }
   return least;

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "displacement.hpp"
-#include "families.hpp"
 #include "offer.hpp"
 #include "root.hpp"
 
@@ -13,13 +12,7 @@ namespace selion {
 namespace {
 
 constexpr double kNoCurve_m = 1e-12;
-
-/// A turn to the left whose curvature rises, dips to `dip_per_m` in its middle, rises again and ends at 0.
-struct Dip {
-  double dip_per_m = 0;
-  double first_rad = 0;  ///< deflection up to the middle
-  double second_rad = 0;
-};
+constexpr double kMet_m = 1e-9;
 
 /// Half of a dip: clothoid up to the peak, arc, clothoid down to the dip.
 struct Half {
@@ -46,63 +39,76 @@ std::optional<Half> half_of(double dip_per_m, double deflection_rad, const Curve
   return Half{peak, peak / g, std::max(arc, 0.0), std::max(peak - dip_per_m, 0.0) / g};
 }
 
-void draw_some(Drawn& drawn, double curvature_per_m, double sharpness_per_m2, double length_m) {
-  if (length_m > kNoCurve_m) draw(drawn, curvature_per_m, sharpness_per_m2, length_m);
+/// A clothoid from straight on to `curvature_per_m`: where it leads, in the frame of its end, and its turn.
+struct Rise {
+  Point way;
+  Point turn;
+};
+Rise rise_to(double curvature_per_m, const Swings& swings) {
+  const CurveLimits& limits = swings.limits();
+  if (curvature_per_m == limits.curvature_per_m) return {swings.full_ramp(), swings.full_half()};
+  const double turned_rad = curvature_per_m * curvature_per_m / (2 * limits.sharpness_per_m2);
+  return {Swings::ramp(turned_rad, curvature_per_m / limits.sharpness_per_m2), unit(turned_rad)};
 }
 
-/// The left turn, or mirrored for side -1. @pre both halves exist.
-void draw_dip(Drawn& drawn, const Dip& dip, int side, const CurveLimits& limits) {
-  const Half first = *half_of(dip.dip_per_m, dip.first_rad, limits);
-  const Half second = *half_of(dip.dip_per_m, dip.second_rad, limits);
-  const double s = side;
-  const double g = s * limits.sharpness_per_m2;
-  draw_some(drawn, 0, g, first.up_m);
-  draw_some(drawn, s * first.peak_per_m, 0, first.arc_m);
-  draw_some(drawn, s * first.peak_per_m, -g, first.down_m);
-  draw_some(drawn, s * (second.peak_per_m - limits.sharpness_per_m2 * second.down_m), g, second.down_m);
-  draw_some(drawn, s * second.peak_per_m, 0, second.arc_m);
-  draw_some(drawn, s * second.peak_per_m, -g, second.up_m);
+/// The clothoid between the curvature of the dip and that of the peak, upwards, in the frame of the dip: the
+/// rise to the peak less the rise to the dip.
+Rise between(const Rise& dip, const Rise& peak) {
+  const Point turn = turned(mirrored(dip.turn), peak.turn);
+  return {turned(turn, peak.way) - dip.way, turn};
 }
-
-Point rotated(double angle_rad, Point p) { return placed({{}, angle_rad}, p); }
 
 /// Where half a dip leads from the origin, heading east.
-Point way_of(const Half& half, double sharpness_per_m2) {
-  const Curve up{{}, 0, 0, sharpness_per_m2, half.up_m};
-  const Curve arc{{}, half.peak_per_m * half.up_m / 2, half.peak_per_m, 0, half.arc_m};
-  const Curve down{
-      {}, arc.heading_rad + half.peak_per_m * half.arc_m, half.peak_per_m, -sharpness_per_m2, half.down_m};
-  return displacement(up, half.up_m) + displacement(arc, half.arc_m) + displacement(down, half.down_m);
+Point way_of(const Half& half, double dip_per_m, double deflection_rad, const Swings& swings) {
+  const Rise peak = rise_to(half.peak_per_m, swings);
+  Point way = turned(peak.turn, peak.way);
+  if (half.arc_m > 0) {
+    const Point half_arc = unit(half.peak_per_m * half.arc_m / 2);
+    way = way + (2 * half_arc.y_m / half.peak_per_m) * turned(peak.turn, half_arc);
+  }
+  return way + turned(unit(deflection_rad), mirrored(between(rise_to(dip_per_m, swings), peak).way));
 }
 
 /// Where the whole dip leads: its second half is the mirror image of a first one.
-std::optional<Point> way_of(const Dip& dip, const CurveLimits& limits) {
-  const auto first = half_of(dip.dip_per_m, dip.first_rad, limits);
-  const auto second = half_of(dip.dip_per_m, dip.second_rad, limits);
+std::optional<Point> way_of(const Dip& dip, const Swings& swings) {
+  const auto first = half_of(dip.dip_per_m, dip.first_rad, swings.limits());
+  const auto second = half_of(dip.dip_per_m, dip.second_rad, swings.limits());
   if (!first || !second) return std::nullopt;
-  const Point back = way_of(*second, limits.sharpness_per_m2);
-  return way_of(*first, limits.sharpness_per_m2) +
-         rotated(dip.first_rad + dip.second_rad, {back.x_m, -back.y_m});
+  const Point back = way_of(*second, dip.dip_per_m, dip.second_rad, swings);
+  return way_of(*first, dip.dip_per_m, dip.first_rad, swings) +
+         turned(unit(dip.first_rad + dip.second_rad), mirrored(back));
+}
+
+/// The dip whose arcs' centres are `apart_m` from each other, 0 < apart_m < 2 a. Half of that, seen from the
+/// dip, falls with the dip's curvature nearly as (K - q)^2: Newton steps in its square root.
+double dip_of(double apart_m, const Swings& swings) {
+  const double k = swings.limits().curvature_per_m;
+  const double g = swings.limits().sharpness_per_m2;
+  const double goal = std::sqrt(apart_m / 2);
+  double dip = std::max(k - std::sqrt(g * k * apart_m), 0.0);
+  for (int i = 0; i < 12; ++i) {
+    const Rise rise = rise_to(dip, swings);
+    const Point centre = turned(mirrored(rise.turn), swings.centre()) - rise.way;
+    if (!(centre.x_m > 0)) break;
+    const double root = std::sqrt(centre.x_m);
+    const double slope = (dip * centre.y_m - 1) / (2 * g * root);
+    const double step = (root - goal) / slope;
+    dip = std::clamp(dip - step, 0.0, k);
+    if (std::abs(step) < 1e-15 * k) break;
+  }
+  return dip;
 }
 
 /// Both halves with an arc at the curvature limit: the two arcs' centres fix the middle's heading, and their
 /// distance the dip.
 std::optional<Dip> dip_between_arcs(const Pose& goal, double deflection_rad, const Swings& swings) {
-  const CurveLimits& limits = swings.limits();
-  const double k = limits.curvature_per_m;
-  const double g = limits.sharpness_per_m2;
   const Point centre = swings.centre();
-  const Point between = goal.at - rotated(deflection_rad, {centre.x_m, -centre.y_m}) - centre;
-  const double apart = length_m(between);
+  const Point between = goal.at - turned(unit(deflection_rad), mirrored(centre)) - centre;
+  const double apart = std::sqrt(dot(between, between));
   if (apart == 0 || apart >= 2 * centre.x_m) return std::nullopt;
-  const auto excess = [&](double dip) {
-    const double down = (k - dip) / g;
-    const Point middle = displacement({{}, 0, k, -g, down}, down) - Point{0, 1 / k};
-    return 2 * dot(middle, unit((k * k - dip * dip) / (2 * g))) - apart;
-  };
-  const double dip = root_between({0, 2 * centre.x_m - apart}, {k, -apart}, excess);
+  const double dip = dip_of(apart, swings);
   const double first = whole_turns_off(heading_rad(between));
-  if (std::min(first, deflection_rad - first) < arcless_rad(dip, limits)) return std::nullopt;
+  if (std::min(first, deflection_rad - first) < arcless_rad(dip, swings.limits())) return std::nullopt;
   return Dip{dip, first, deflection_rad - first};
 }
 
@@ -111,8 +117,9 @@ std::optional<Dip> even_dip(const Pose& goal, double deflection_rad, const Swing
   const CurveLimits& limits = swings.limits();
   const double half = deflection_rad / 2;
   const double apart = length_m(goal.at);
+  const Point along = unit(half);
   const auto excess = [&](double dip) {
-    return 2 * dot(way_of(*half_of(dip, half, limits), limits.sharpness_per_m2), unit(half)) - apart;
+    return 2 * dot(way_of(*half_of(dip, half, limits), dip, half, swings), along) - apart;
   };
   const double most = std::min(limits.curvature_per_m, std::sqrt(limits.sharpness_per_m2 * deflection_rad));
   const RootEnd widest{0, excess(0)};
@@ -122,10 +129,11 @@ std::optional<Dip> even_dip(const Pose& goal, double deflection_rad, const Swing
 }
 
 /// Brought to the goal by Newton steps in the dip and in how the deflection is split.
-std::optional<Dip> polished(Dip dip, const Pose& goal, const CurveLimits& limits) {
+std::optional<Dip> polished(Dip dip, const Pose& goal, const Swings& swings) {
+  const CurveLimits& limits = swings.limits();
   const double deflection = dip.first_rad + dip.second_rad;
   const auto miss_of = [&](double q, double first) -> std::optional<Point> {
-    const auto way = way_of(Dip{q, first, deflection - first}, limits);
+    const auto way = way_of(Dip{q, first, deflection - first}, swings);
     if (!way) return std::nullopt;
     return *way - goal.at;
   };
@@ -134,7 +142,7 @@ std::optional<Dip> polished(Dip dip, const Pose& goal, const CurveLimits& limits
   for (int i = 0; i < 12; ++i) {
     const auto miss = miss_of(dip.dip_per_m, dip.first_rad);
     if (!miss) return std::nullopt;
-    if (length_m(*miss) < 1e-11) return dip;
+    const bool met = length_m(*miss) < kMet_m;
     const double back = dip.dip_per_m > dq ? -dq : dq;  // towards 0, where every dip exists
     const auto by_dip = miss_of(dip.dip_per_m + back, dip.first_rad);
     const auto by_first = miss_of(dip.dip_per_m, dip.first_rad + dfirst);
@@ -146,6 +154,7 @@ std::optional<Dip> polished(Dip dip, const Pose& goal, const CurveLimits& limits
     dip.dip_per_m = std::clamp(dip.dip_per_m - cross(*miss, b) / scale, 0.0, limits.curvature_per_m);
     dip.first_rad -= std::clamp(cross(a, *miss) / scale, -0.3, 0.3);
     dip.second_rad = deflection - dip.first_rad;
+    if (met) return dip;  // with one more step, down to rounding
   }
   return std::nullopt;
 }
@@ -155,34 +164,74 @@ std::optional<Dip> dip_to(const Pose& goal, const Swings& swings) {
   const double deflection = whole_turns_off(goal.heading_rad);
   if (deflection < 1e-6 || length_m(goal.at) > 6 * length_m(swings.centre())) return std::nullopt;
   if (const auto dip = dip_between_arcs(goal, deflection, swings)) return dip;
+  const bool wrong_side = std::abs(deflection - std::numbers::pi) < 1e-6 && goal.at.y_m < 0;
+  if (wrong_side) return std::nullopt;  // a U-turn leads to the side that it turns to
   const auto even = even_dip(goal, deflection, swings);
-  return even ? polished(*even, goal, swings.limits()) : std::nullopt;
+  return even ? polished(*even, goal, swings) : std::nullopt;
 }
 
-void add(std::vector<Path>& paths, const Pose& from, const Pose& to, const UTurn& turn,
-         const Swings& swings) {
+void add(std::vector<Word>& words, const UTurn& turn, const Swings& swings) {
   for (const int side : {1, -1}) {
-    const Pose seen =
-        side > 0 ? turn.goal : Pose{{turn.goal.at.x_m, -turn.goal.at.y_m}, -turn.goal.heading_rad};
-    const auto dip = dip_to(seen, swings);
+    auto dip = dip_to(side > 0 ? turn.goal : mirrored(turn.goal), swings);
     if (!dip) continue;
-    Drawn drawn{{}, from};
-    draw_line(drawn, turn.before_m);
-    draw_dip(drawn, *dip, side, swings.limits());
-    draw_line(drawn, turn.after_m);
-    offer(paths, std::move(drawn), to, swings.limits());
+    dip->side = side;
+    words.push_back({turn.before_m, {}, 0, dip, turn.after_m});
   }
 }
 
+/// Draws curves of a left turn, mirrored for side -1; crumbs are left out.
+struct Sided {
+  Drawn& drawn;
+  double side;
+
+  void ramp(Ramp ramp) const {
+    if (ramp.length_m <= kNoCurve_m) return;
+    ramp.curvature_per_m *= side;
+    ramp.sharpness_per_m2 *= side;
+    ramp.way.y_m *= side;
+    ramp.turn.y_m *= side;
+    draw_ramp(drawn, ramp);
+  }
+  void arc(double curvature_per_m, double length_m) const {
+    if (length_m > kNoCurve_m) draw_arc(drawn, side * curvature_per_m, length_m);
+  }
+};
+
 }  // namespace
 
-std::vector<Path> dip_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  const Swings swings{limits};
-  std::vector<Path> paths;
-  add(paths, from, to, {0, 0, seen_from(from, to)}, swings);
-  const auto turn = u_turn(from, to);
-  if (turn && turn->before_m + turn->after_m > 0) add(paths, from, to, *turn, swings);
-  return paths;
+double length_m(const Dip& dip, const CurveLimits& limits) {
+  double sum = 0;
+  for (const double deflection : {dip.first_rad, dip.second_rad})
+    if (const auto half = half_of(dip.dip_per_m, deflection, limits))
+      sum += half->up_m + half->arc_m + half->down_m;
+  return sum;
+}
+
+void draw_dip(Drawn& drawn, const Dip& dip, const Swings& swings) {
+  const auto first = half_of(dip.dip_per_m, dip.first_rad, swings.limits());
+  const auto second = half_of(dip.dip_per_m, dip.second_rad, swings.limits());
+  if (!first || !second) return;
+  const Rise low = rise_to(dip.dip_per_m, swings);
+  const Rise peak = rise_to(first->peak_per_m, swings);
+  const Rise next_peak = rise_to(second->peak_per_m, swings);
+  const double g = swings.limits().sharpness_per_m2;
+  const Sided draw{drawn, static_cast<double>(dip.side)};
+  draw.ramp({0, g, first->up_m, turned(peak.turn, peak.way), peak.turn});
+  draw.arc(first->peak_per_m, first->arc_m);
+  const Rise down = between(low, peak);
+  draw.ramp({first->peak_per_m, -g, first->down_m, turned(down.turn, mirrored(down.way)), down.turn});
+  const Rise up = between(low, next_peak);
+  draw.ramp({second->peak_per_m - g * second->down_m, g, second->down_m, up.way, up.turn});
+  draw.arc(second->peak_per_m, second->arc_m);
+  draw.ramp({second->peak_per_m, -g, second->up_m, mirrored(next_peak.way), next_peak.turn});
+}
+
+std::vector<Word> dip_words(const Pose& goal, const Swings& swings) {
+  std::vector<Word> words;
+  add(words, {0, 0, goal}, swings);
+  const auto turn = u_turn(goal);
+  if (turn && turn->before_m + turn->after_m > 0) add(words, *turn, swings);
+  return words;
 }
 
 }  // namespace selion

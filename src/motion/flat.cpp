@@ -2,29 +2,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "families.hpp"
 #include "offer.hpp"
-#include "words.hpp"
 
 namespace selion {
 
-std::vector<Path> flat_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  const auto turn = u_turn(from, to);
+std::vector<Word> flat_words(const Pose& goal, const Swings& swings) {
+  const auto turn = u_turn(goal);
   if (!turn) return {};
-  const Swings swings{limits};
   const int side = turn->goal.at.y_m > 0 ? 1 : -1;
-  std::vector<Path> paths;
-  for (const SwingLineSwing& word : swing_line_swings(turn->goal, side, side, swings)) {
-    if (std::abs(word.first_rad) > std::numbers::pi || std::abs(word.second_rad) > std::numbers::pi) continue;
-    Drawn drawn{{}, from};
-    draw_line(drawn, turn->before_m);
-    draw_swing(drawn, word.first_rad, swings);
-    draw_line(drawn, word.line_m);
-    draw_swing(drawn, word.second_rad, swings);
-    draw_line(drawn, turn->after_m);
-    offer(paths, std::move(drawn), to, limits);
+  std::vector<Word> words = swing_line_swings(turn->goal, side, side, swings);
+  std::erase_if(words, [](const Word& word) {
+    return std::abs(word.swings_rad[0]) > std::numbers::pi || std::abs(word.swings_rad[1]) > std::numbers::pi;
+  });
+  for (Word& word : words) {
+    word.before_m = turn->before_m;
+    word.after_m = turn->after_m;
   }
-  return paths;
+  return words;
 }
 
 }  // namespace selion

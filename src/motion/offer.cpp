@@ -38,15 +38,17 @@ double whole_turns_off(double angle_rad) {
   return rest >= turn || rest < 0 ? 0 : rest;
 }
 
-void offer(std::vector<Path>& paths, Drawn drawn, const Pose& to, const CurveLimits& limits) {
-  if (drawn.path.empty()) return;
-  const bool meets = distance_m(drawn.at.at, to.at) <= kMeets &&
-                     std::abs(wrapped(drawn.at.heading_rad - to.heading_rad)) <= kMeets;
-  if (meets && keeps(drawn.path, limits)) paths.push_back(std::move(drawn.path));
+std::optional<Path> drawn_to(const Word& word, const Pose& from, const Pose& to, const Swings& swings) {
+  Drawn drawn{from};
+  draw_word(drawn, word, swings);
+  const Point off = to.at - drawn.at.at;
+  const bool meets =
+      dot(off, off) <= kMeets * kMeets && std::abs(wrapped(drawn.at.heading_rad - to.heading_rad)) <= kMeets;
+  if (!meets || !keeps(drawn.path, swings.limits())) return std::nullopt;
+  return std::move(drawn.path);
 }
 
-std::optional<UTurn> u_turn(const Pose& from, const Pose& to) {
-  Pose goal = seen_from(from, to);
+std::optional<UTurn> u_turn(Pose goal) {
   if (std::numbers::pi - std::abs(goal.heading_rad) > kAntiparallel) return std::nullopt;
   UTurn turn;
   if (goal.at.x_m > 0) {

@@ -4,9 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "swing.hpp"
+#include "words.hpp"
 
 namespace selion {
+
+constexpr double kInLine = 1e-9;  // m, rad: a goal this near to straight ahead is driven to straight
 
 /// `to` as seen from `from`: x ahead, y left, heading in (-pi, pi].
 Pose seen_from(const Pose& from, const Pose& to);
@@ -14,8 +16,9 @@ Pose seen_from(const Pose& from, const Pose& to);
 /// The part of [0, 2 pi) that differs from `angle_rad` by whole turns.
 double whole_turns_off(double angle_rad);
 
-/// Adds what was drawn to `paths` if it ends straight at `to` and keeps the limits (1e-9 each).
-void offer(std::vector<Path>& paths, Drawn drawn, const Pose& to, const CurveLimits& limits);
+/// The word drawn from `from`, if it ends at `to` and keeps the limits (1e-9 each; what is left are roundings
+/// of 1e-12 but for straights).
+std::optional<Path> drawn_to(const Word& word, const Pose& from, const Pose& to, const Swings& swings);
 
 /// A U-turn between swaths that end at unequal places: the shorter one is driven on.
 struct UTurn {
@@ -23,7 +26,7 @@ struct UTurn {
   double after_m = 0;   ///< straight after it
   Pose goal;            ///< of the turn between, seen from its start
 };
-/// Empty unless the headings are opposite within 1e-6 rad.
-std::optional<UTurn> u_turn(const Pose& from, const Pose& to);
+/// Empty unless the goal's heading, seen from the start, is opposite within 1e-6 rad.
+std::optional<UTurn> u_turn(Pose goal);
 
 }  // namespace selion

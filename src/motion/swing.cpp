@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "displacement.hpp"
+#include "selion/core/angle.hpp"
+#include "selion/motion/turns.hpp"
 
 namespace selion {
 namespace {
@@ -42,8 +45,22 @@ CurveLimits limits_at(const Machine& machine, double speed_mps) {
 Swings::Swings(const CurveLimits& limits) : limits_{limits} {
   const double k = limits.curvature_per_m;
   full_rad_ = k * k / limits.sharpness_per_m2;
+  full_half_ = unit(full_rad_ / 2);
+  // A machine that steers slowly may turn so far on the ramp that the series has lost its digits.
   const Point end = displacement({{}, 0, 0, limits.sharpness_per_m2, 0}, k / limits.sharpness_per_m2);
-  centre_ = end + (1 / k) * left_of(unit(full_rad_ / 2));
+  full_ramp_ = turned(mirrored(full_half_), end);
+  centre_ = end + (1 / k) * left_of(full_half_);
+  std::array<Point, kParts + 1> ways;
+  for (std::size_t i = 0; i <= kParts; ++i) {
+    const double deflection = 2 * std::numbers::pi / kParts * static_cast<double>(i);
+    const Point along = unit(deflection / 2);
+    ways[i] = chord(deflection, along).length_m * along;
+  }
+  for (std::size_t i = 0; i <= kParts; ++i) {
+    const Point ahead = unit(2 * std::numbers::pi / kParts * static_cast<double>(i));
+    for (std::size_t k2 = 0; k2 <= kParts; ++k2)
+      two_swings_[i][k2] = ways[i] + turned(ahead, mirrored(ways[k2]));
+  }
 }
 
 SwingShape Swings::shape(double deflection_rad) const {
@@ -75,28 +92,72 @@ double Swings::bulge_m(double deflection_rad) const {
   return std::sqrt(deflection_rad / limits_.sharpness_per_m2) * clothoid_means(half).y_m;
 }
 
-void draw(Drawn& drawn, double curvature_per_m, double sharpness_per_m2, double length_m) {
-  const Curve curve{drawn.at.at, drawn.at.heading_rad, curvature_per_m, sharpness_per_m2, length_m};
-  drawn.path.push_back({curve, Gear::forward});
-  const CurveState end = end_of(curve);
-  drawn.at = {end.at, end.heading_rad};
+double Swings::length_m(double deflection_rad) const {
+  if (deflection_rad >= full_rad_)
+    return deflection_rad / limits_.curvature_per_m + limits_.curvature_per_m / limits_.sharpness_per_m2;
+  return 2 * std::sqrt(deflection_rad / limits_.sharpness_per_m2);
+}
+
+Point Swings::ramp(double deflection_rad, double length_m) {
+  const Point means = clothoid_means(deflection_rad);
+  return {length_m * means.x_m, -length_m * means.y_m};
 }
 
 void draw_line(Drawn& drawn, double length_m) {
-  if (length_m > 0) draw(drawn, 0, 0, length_m);
+  if (!(length_m > 0)) return;
+  drawn.path.push_back({{drawn.at.at, drawn.at.heading_rad, 0, 0, length_m}, Gear::forward});
+  drawn.at.at = drawn.at.at + length_m * drawn.ahead;
+}
+
+void draw_line_back(Drawn& drawn, double length_m) {
+  if (!(length_m > 0)) return;
+  const double heading_rad = wrapped(drawn.at.heading_rad + std::numbers::pi);
+  drawn.path.push_back({{drawn.at.at, heading_rad, 0, 0, length_m}, Gear::reverse});
+  drawn.at.at = drawn.at.at - length_m * drawn.ahead;
+}
+
+void draw_arc(Drawn& drawn, double curvature_per_m, double length_m) {
+  if (!(length_m > 0)) return;
+  const double half = curvature_per_m * length_m / 2;
+  const Point half_turn = unit(half);
+  // Short arcs: sin(half) / half without losing what it is divided by.
+  const double chord =
+      std::abs(half) < 1e-4 ? length_m * (1 - half * half / 6) : 2 * half_turn.y_m / curvature_per_m;
+  const Point turn = turned(half_turn, half_turn);
+  draw_ramp(drawn, {curvature_per_m, 0, length_m, chord * half_turn, turn});
+}
+
+void draw_ramp(Drawn& drawn, const Ramp& ramp) {
+  drawn.path.push_back(
+      {{drawn.at.at, drawn.at.heading_rad, ramp.curvature_per_m, ramp.sharpness_per_m2, ramp.length_m},
+       Gear::forward});
+  drawn.at.at = drawn.at.at + turned(drawn.ahead, ramp.way);
+  drawn.at.heading_rad += (ramp.curvature_per_m + ramp.sharpness_per_m2 * ramp.length_m / 2) * ramp.length_m;
+  drawn.ahead = turned(drawn.ahead, ramp.turn);
 }
 
 void draw_swing(Drawn& drawn, double deflection_rad, const Swings& swings) {
   if (deflection_rad == 0) return;
-  const double side = deflection_rad > 0 ? 1 : -1;
-  const SwingShape shape = swings.shape(std::abs(deflection_rad));
-  draw(drawn, 0, side * shape.sharpness_per_m2, shape.clothoid_m);
-  if (shape.arc_m > 0) draw(drawn, side * shape.curvature_per_m, 0, shape.arc_m);
-  draw(drawn, side * shape.curvature_per_m, -side * shape.sharpness_per_m2, shape.clothoid_m);
+  const double deflection = std::abs(deflection_rad);
+  const SwingShape shape = swings.shape(deflection);
+  const bool full = shape.arc_m > 0;
+  Point turn = full ? swings.full_half() : unit(deflection / 2);
+  Point ramp = full ? swings.full_ramp() : Swings::ramp(deflection / 2, shape.clothoid_m);
+  double side = 1;
+  if (deflection_rad < 0) {
+    side = -1;
+    turn = mirrored(turn);
+    ramp = mirrored(ramp);
+  }
+  const double k = side * shape.curvature_per_m;
+  const double g = side * shape.sharpness_per_m2;
+  draw_ramp(drawn, {0, g, shape.clothoid_m, turned(turn, ramp), turn});
+  if (full) draw_arc(drawn, k, shape.arc_m);
+  draw_ramp(drawn, {k, -g, shape.clothoid_m, mirrored(ramp), turn});
 }
 
 Path swing(const Pose& from, double deflection_rad, const CurveLimits& limits) {
-  Drawn drawn{{}, from};
+  Drawn drawn{from};
   draw_swing(drawn, deflection_rad, Swings{limits});
   return drawn.path;
 }

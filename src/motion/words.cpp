@@ -2,67 +2,41 @@
 #include "words.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "families.hpp"
 #include "offer.hpp"
 
 namespace selion {
-namespace {
 
-template <int First, int Second>
-std::vector<Path> with_line(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  const Swings swings{limits};
-  std::vector<Path> paths;
-  for (const SwingLineSwing& word : swing_line_swings(seen_from(from, to), First, Second, swings)) {
-    Drawn drawn{{}, from};
-    draw_swing(drawn, word.first_rad, swings);
-    draw_line(drawn, word.line_m);
-    draw_swing(drawn, word.second_rad, swings);
-    offer(paths, std::move(drawn), to, limits);
-  }
-  return paths;
+double length_m(const Word& word, const Swings& swings) {
+  double sum = word.before_m + std::abs(word.line_m) + word.after_m;
+  for (const double deflection : word.swings_rad)
+    if (deflection != 0) sum += swings.length_m(std::abs(deflection));
+  return word.dip ? sum + length_m(*word.dip, swings.limits()) : sum;
 }
 
-template <int Side>
-std::vector<Path> of_three(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  const Swings swings{limits};
-  std::vector<Path> paths;
-  for (const ThreeSwings& word : three_swings(seen_from(from, to), Side, swings)) {
-    Drawn drawn{{}, from};
-    draw_swings(drawn, word, swings);
-    offer(paths, std::move(drawn), to, limits);
-  }
-  return paths;
+void draw_word(Drawn& drawn, const Word& word, const Swings& swings) {
+  draw_line(drawn, word.before_m);
+  draw_swing(drawn, word.swings_rad[0], swings);
+  draw_line(drawn, word.line_m);
+  draw_line_back(drawn, -word.line_m);
+  draw_swing(drawn, word.swings_rad[1], swings);
+  draw_swing(drawn, word.swings_rad[2], swings);
+  if (word.dip) draw_dip(drawn, *word.dip, swings);
+  draw_line(drawn, word.after_m);
+  if (drawn.path.empty()) drawn.path.push_back({{drawn.at.at, drawn.at.heading_rad, 0, 0, 0}, Gear::forward});
 }
 
-}  // namespace
-
-std::vector<Path> straight_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  const double ahead = std::max(0.0, seen_from(from, to).at.x_m);
-  Drawn drawn{{}, from};
-  draw(drawn, 0, 0, ahead);
-  std::vector<Path> paths;
-  offer(paths, std::move(drawn), to, limits);
-  return paths;
+std::vector<Word> straight_words(const Pose& goal, const Swings&) {
+  if (goal.at.x_m < -kInLine || std::abs(goal.at.y_m) > kInLine || std::abs(goal.heading_rad) > kInLine)
+    return {};
+  return {Word{.before_m = std::max(0.0, goal.at.x_m)}};
 }
 
-std::vector<Path> lsl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  return with_line<1, 1>(from, to, limits);
-}
-std::vector<Path> rsr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  return with_line<-1, -1>(from, to, limits);
-}
-std::vector<Path> lsr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  return with_line<1, -1>(from, to, limits);
-}
-std::vector<Path> rsl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  return with_line<-1, 1>(from, to, limits);
-}
-std::vector<Path> lrl_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  return of_three<1>(from, to, limits);
-}
-std::vector<Path> rlr_turn(const Pose& from, const Pose& to, const CurveLimits& limits) {
-  return of_three<-1>(from, to, limits);
+bool near_for_three(const Pose& goal, const Swings& swings) {
+  const Point c = swings.centre();
+  return dot(goal.at, goal.at) <= 36 * dot(c, c);
 }
 
 }  // namespace selion

@@ -13,50 +13,103 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kNoSwing_rad = 1e-13;  // a swing by less is rounding
-constexpr double kNoLine_m = 1e-11;
+constexpr double kNoLine_m = 1e-13;
 constexpr double kSeam_rad = 1e-9;  // beyond its bounds, so that no root falls between two intervals
 
 /// The first deflection u determines the second, v, and where the straight between them would have to lie.
-struct Word {
-  Pose goal;
-  double first_side;
-  double second_side;
-  const Swings* swings;
+class Line {
+ public:
+  Line(const Pose& goal, int first, int second, const Swings& swings)
+      : first_side{static_cast<double>(first)},
+        second_side{static_cast<double>(second)},
+        goal_{goal.at.x_m, first * goal.at.y_m},
+        heading_rad_{first * goal.heading_rad},
+        half_heading_{unit(heading_rad_ / 2)},
+        swings_{swings},
+        change_m_{selion::length_m(goal.at) +
+                  6 * swings.limits().curvature_per_m / swings.limits().sharpness_per_m2 +
+                  2 / swings.limits().curvature_per_m} {}
 
   [[nodiscard]] double second(double u) const {
-    return whole_turns_off(second_side * (goal.heading_rad - first_side * u));
+    return whole_turns_off(first_side * second_side * (heading_rad_ - u));
   }
-  /// How far left of the straight after the first swing the second one would have to begin.
-  [[nodiscard]] double miss_m(double u) const {
-    const double v = second(u);
-    const double seen_left = goal.at.y_m * std::cos(u) - first_side * goal.at.x_m * std::sin(u);
-    return -first_side * swings->chord(u).length_m * std::sin(u / 2) +
-           second_side * swings->chord(v).length_m * std::sin(v / 2) - seen_left;
+
+  /// How far left of the straight after the first swing the second one would have to begin, and how long the
+  /// straight would be.
+  struct Fit {
+    double miss_m;
+    double line_m;
+  };
+  /// Seen from the side to which the first swing turns, as if that were the left.
+  [[nodiscard]] Fit fit(double u, double v) const {
+    const Point half_u = unit(u / 2);
+    Point half_v = turned(half_heading_, mirrored(half_u));
+    if (first_side != second_side) half_v.y_m = -half_v.y_m;
+    if (half_v.y_m < 0) half_v = -1 * half_v;  // v / 2 lies in [0, pi)
+    if (v == 0) half_v = {1, 0};
+    const Point seen = turned(mirrored(turned(half_u, half_u)), goal_);
+    const double first_m = swings_.chord(u, half_u).length_m;
+    const double second_m = swings_.chord(v, half_v).length_m;
+    return {-first_m * half_u.y_m + first_side * second_side * second_m * half_v.y_m - seen.y_m,
+            seen.x_m - first_m * half_u.x_m - second_m * half_v.x_m};
   }
-  [[nodiscard]] double line_m(double u, double v) const {
-    const double seen_ahead = goal.at.x_m * std::cos(u) + first_side * goal.at.y_m * std::sin(u);
-    return seen_ahead - swings->chord(u).length_m * std::cos(u / 2) -
-           swings->chord(v).length_m * std::cos(v / 2);
+  [[nodiscard]] double miss_m(double u) const { return fit(u, second(u)).miss_m; }
+
+  /// May the miss vanish within `half_rad` of u? Not where it is larger than all that it can change: per
+  /// radian by the goal's distance and, for each swing, by 3 ramps or the centre's distance at most.
+  [[nodiscard]] bool may_meet(double u, double half_rad) const {
+    return std::abs(miss_m(u)) <= half_rad * change_m_;
   }
+
+  /// Where both swings reach the curvature limit, the miss is A cos u + B sin u + C: its two zeros.
+  [[nodiscard]] std::optional<std::array<double, 2>> full_roots() const {
+    const Point centre = swings_.centre();
+    const double t = first_side * second_side;
+    // chord(w) sin(w/2) = b + a sin w - b cos w for w = u and for v = t (psi - u).
+    const Point psi = turned(half_heading_, half_heading_);
+    const double cosine = centre.y_m + t * (t * centre.x_m * psi.y_m - centre.y_m * psi.x_m) - goal_.y_m;
+    const double sine = -centre.x_m - (centre.x_m * psi.x_m + t * centre.y_m * psi.y_m) + goal_.x_m;
+    const double constant = (t - 1) * centre.y_m;
+    const double reach = std::sqrt(cosine * cosine + sine * sine);
+    if (!(std::abs(constant) <= reach)) return std::nullopt;
+    const double middle = std::atan2(sine, cosine);
+    const double spread = std::acos(-constant / reach);
+    return std::array{whole_turns_off(middle - spread), whole_turns_off(middle + spread)};
+  }
+
+  double first_side;
+  double second_side;
+
+ private:
+  Point goal_;  // mirrored where the first swing is one to the right
+  double heading_rad_;
+  Point half_heading_;
+  const Swings& swings_;
+  double change_m_;  // of the miss, per radian, at most
 };
 
 double snapped(double angle_rad) {
   return angle_rad < kNoSwing_rad || angle_rad > kTurn - kNoSwing_rad ? 0 : angle_rad;
 }
 
-void add(std::vector<SwingLineSwing>& words, const Word& word, double root) {
+void add(std::vector<Word>& words, const Line& word, double root) {
   const double u = snapped(root);
   const double v = snapped(word.second(u));
-  const double line = word.line_m(u, v);
-  if (line < -kNoLine_m) return;
-  words.push_back({word.first_side * u, line < kNoLine_m ? 0 : line, word.second_side * v});
+  const double line = word.fit(u, v).line_m;
+  words.push_back({0, {word.first_side * u, word.second_side * v, 0}, std::abs(line) < kNoLine_m ? 0 : line});
+}
+
+void add_within(std::vector<Word>& words, const Line& word, const std::array<double, 2>& roots, double from,
+                double to) {
+  for (const double u : roots)
+    if (u >= from - kSeam_rad && u <= to + kSeam_rad) add(words, word, u);
 }
 
 /// Roots between two neighbouring samples; a dip towards 0 between three is looked into at the vertex of its
 /// parabola.
 class Scan {
  public:
-  Scan(const Word& word, std::vector<SwingLineSwing>& words) : word_{word}, words_{words} {}
+  Scan(const Line& word, std::vector<Word>& words) : word_{word}, words_{words} {}
 
   void begin_at(double u) {
     seen_ = 0;
@@ -93,41 +146,28 @@ class Scan {
     solve(vertex, vertex.x < b_.x ? b_ : c);
   }
 
-  const Word& word_;
-  std::vector<SwingLineSwing>& words_;
+  const Line& word_;
+  std::vector<Word>& words_;
   RootEnd a_;
   RootEnd b_;
   int seen_ = 0;
 };
 
-/// Where both swings reach the curvature limit, the miss is A cos u + B sin u + C.
-void add_full(std::vector<SwingLineSwing>& words, const Word& word, double from, double to) {
-  const Point centre = word.swings->centre();
-  const double s = word.first_side;
-  const double t = word.second_side;
-  const double psi = word.goal.heading_rad;
-  // chord(w) sin(w/2) = b + a sin w - b cos w for w = u and for v = t psi - s t u.
-  const double sin_v = std::sin(t * psi);
-  const double cos_v = std::cos(psi);
-  const double a = centre.x_m;
-  const double b = centre.y_m;
-  const double cosine = s * b + t * (a * sin_v - b * cos_v) - word.goal.at.y_m;
-  const double sine = -s * a - s * (a * cos_v + b * sin_v) + s * word.goal.at.x_m;
-  const double constant = (t - s) * b;
-  const double reach = std::hypot(cosine, sine);
-  if (!(std::abs(constant) <= reach)) return;
-  const double middle = std::atan2(sine, cosine);
-  const double spread = std::acos(-constant / reach);
-  for (const double u : {whole_turns_off(middle - spread), whole_turns_off(middle + spread)}) {
-    if (u >= from - kSeam_rad && u <= to + kSeam_rad) add(words, word, u);
-  }
+void see_between(Scan& scan, double from, double width) {
+  const int steps = std::max(3, static_cast<int>(std::ceil(width * 4)));
+  for (int k = 1; k <= steps; ++k) scan.see(from + width * k / steps);
 }
 
 }  // namespace
 
-std::vector<SwingLineSwing> swing_line_swings(const Pose& goal, int first_side, int second_side,
-                                              const Swings& swings) {
-  const Word word{goal, static_cast<double>(first_side), static_cast<double>(second_side), &swings};
+std::vector<Word> swing_line_swings(const Pose& goal, int first_side, int second_side, const Swings& swings) {
+  std::vector<Word> words = swings_on_a_line(goal, first_side, second_side, swings);
+  std::erase_if(words, [](const Word& word) { return word.line_m < 0; });
+  return words;
+}
+
+std::vector<Word> swings_on_a_line(const Pose& goal, int first_side, int second_side, const Swings& swings) {
+  const Line word{goal, first_side, second_side, swings};
   const double full = std::min(swings.full_rad(), kTurn);
   const double seam = whole_turns_off(first_side * goal.heading_rad);  // v = 0
   const double second_full =
@@ -135,20 +175,23 @@ std::vector<SwingLineSwing> swing_line_swings(const Pose& goal, int first_side, 
   std::array<double, 5> bounds{0, full, seam, second_full, kTurn};
   std::sort(bounds.begin(), bounds.end());
 
-  std::vector<SwingLineSwing> words;
+  std::vector<Word> words;
+  const auto full_roots = word.full_roots();
   Scan scan{word, words};
-  scan.begin_at(0);
+  bool joined = false;  // the last interval was scanned too
   for (std::size_t i = 1; i < bounds.size(); ++i) {
     const double width = bounds[i] - bounds[i - 1];
     if (width <= 0) continue;
     const double middle = bounds[i - 1] + width / 2;
-    if (middle >= full && word.second(middle) >= full) {
-      add_full(words, word, bounds[i - 1], bounds[i]);
-      scan.begin_at(bounds[i]);
+    const bool full_swings = middle >= full && word.second(middle) >= full;
+    if (full_swings && full_roots) add_within(words, word, *full_roots, bounds[i - 1], bounds[i]);
+    if (full_swings || !word.may_meet(middle, width / 2)) {
+      joined = false;
       continue;
     }
-    const int steps = std::max(3, static_cast<int>(std::ceil(width * 4)));
-    for (int k = 1; k <= steps; ++k) scan.see(bounds[i - 1] + width * k / steps);
+    if (!joined) scan.begin_at(bounds[i - 1]);
+    joined = true;
+    see_between(scan, bounds[i - 1], width);
   }
   return words;
 }

@@ -48,14 +48,15 @@ double cost_m(const Terrain& terrain, const Path& path) {
   return cost;
 }
 
-std::optional<Path> direct_turn(const Terrain& terrain, const CurveLimits& limits, const Pose& from,
+std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
                                 const Pose& to) {
   if (auto straight = straight_on(from, to))
     return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
   const double longest = longest_turn_m(terrain, from, to);
-  for (Path& turn : connections(from, to, limits)) {
-    if (length_m(turn) > longest) break;
-    if (stays_inside(terrain.space, terrain.footprint, turn)) return std::move(turn);
+  Connections turns{from, to, swings};
+  while (auto turn = turns.next()) {
+    if (length_m(*turn) > longest) break;
+    if (stays_inside(terrain.space, terrain.footprint, *turn)) return turn;
   }
   return std::nullopt;
 }

@@ -15,6 +15,7 @@ struct Terrain {
   const FreeSpace& space;
   Footprint footprint;
   CurveLimits limits;
+  Swings swings;  ///< within those limits
   bool may_reverse = false;
   const AreaIndex& mainland;  ///< not to be driven over where there is another way
 };
@@ -29,7 +30,7 @@ double cost_m(const Terrain& terrain, const Path& path);
 
 /// One turn within the limits, the shortest that stays inside; absent where none of a turn's length does. Empty where both are
 /// one place.
-std::optional<Path> direct_turn(const Terrain& terrain, const CurveLimits& limits, const Pose& from,
+std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
                                 const Pose& to);
 
 /// A way to one of several goals.

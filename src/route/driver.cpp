@@ -28,13 +28,27 @@ Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
       machine_{machine},
       space_{free_space(block.free, footprint_of(machine))},
       mainland_{layout.mainland},
-      terrain_{space_, footprint_of(machine), limits_at(machine, machine.turn_speed_mps), machine.may_reverse,
+      terrain_{space_,
+               footprint_of(machine),
+               limits_at(machine, machine.turn_speed_mps),
+               Swings{limits_at(machine, machine.turn_speed_mps)},
+               machine.may_reverse,
                mainland_} {}
 
 /// Built when a way over them is first asked for: most fields need none.
 Roads& Driver::roads() {
   if (!roads_) roads_.emplace(terrain_, tracks_of(layout_, machine_, terrain_));
   return *roads_;
+}
+
+/// The same turns larger: built when first asked for.
+const Swings& Driver::swings(double wider) {
+  if (wider == 1) return terrain_.swings;
+  const auto known = wider_.find(wider);
+  if (known != wider_.end()) return known->second;
+  const CurveLimits& limits = terrain_.limits;
+  const CurveLimits gentle{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)};
+  return wider_.emplace(wider, Swings{gentle}).first->second;
 }
 
 /// Beyond this a way is a transfer.
@@ -61,15 +75,15 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
 
 /// The cheapest single turn within the limits: those that can be short are worked out first.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals,
-                                                  const CurveLimits& limits) const {
+                                                  const Swings& swings) const {
   std::vector<std::pair<double, std::size_t>> ranked;
   for (std::size_t i = 0; i < goals.size(); ++i)
-    ranked.emplace_back(dubins_length_m(*here_, goals[i], 1 / limits.curvature_per_m), i);
+    ranked.emplace_back(dubins_length_m(*here_, goals[i], 1 / swings.limits().curvature_per_m), i);
   std::sort(ranked.begin(), ranked.end());
   std::optional<Approach> best;
   for (const auto& [least_m, i] : ranked) {
     if (least_m >= (best ? best->cost_m : kFarRound * longest_turn_m())) break;
-    auto turn = direct_turn(terrain_, limits, *here_, goals[i]);
+    auto turn = direct_turn(terrain_, swings, *here_, goals[i]);
     if (!turn) continue;
     const double cost = cost_m(terrain_, *turn);
     if (!best || cost < best->cost_m - kNoBetter_m) best = Approach{i, std::move(*turn), cost};
@@ -79,11 +93,10 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals
 
 /// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane at
 /// the border swings out over it.
-std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals) const {
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals) {
   std::optional<Approach> best;
   for (const double wider : {1.0, 2.0, 4.0, 8.0}) {
-    auto turn = turn_into(goals, {terrain_.limits.curvature_per_m / wider,
-                                  terrain_.limits.sharpness_per_m2 / (wider * wider)});
+    auto turn = turn_into(goals, swings(wider));
     if (turn && (!best || turn->cost_m < best->cost_m - kNoBetter_m)) best = std::move(turn);
     if (best && best->cost_m <= longest_turn_m()) break;
   }

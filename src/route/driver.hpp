@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -41,9 +42,10 @@ class Driver {
   };
 
   [[nodiscard]] std::optional<Approach> approach(const std::vector<Pose>& goals);
-  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals) const;
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals);
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals,
-                                                  const CurveLimits& limits) const;
+                                                  const Swings& swings) const;
+  [[nodiscard]] const Swings& swings(double wider);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
   void work(const Task& task, const Path& way, const Path& work);
@@ -57,6 +59,7 @@ class Driver {
   AreaIndex mainland_;
   Terrain terrain_;
   std::optional<Roads> roads_;
+  std::map<double, Swings> wider_;
   std::optional<Pose> here_;
   std::vector<RoutePiece> driven_;
 };

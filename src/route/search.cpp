@@ -170,9 +170,10 @@ std::optional<Arrival> Search::shot(std::size_t node) const {
   const double longest = 12 / terrain_.limits.curvature_per_m + 2 * guide_.to_goal_m(here.at);
   for (const std::size_t goal : nearest_goals(here.at)) {
     if (dubins_length_m(here, goals_[goal], 1 / terrain_.limits.curvature_per_m) > longest) continue;
-    for (Path& turn : connections(here, goals_[goal], terrain_.limits)) {
-      if (length_m(turn) > longest) break;
-      if (stays_inside(terrain_.space, terrain_.footprint, turn)) return Arrival{goal, std::move(turn)};
+    Connections turns{here, goals_[goal], terrain_.swings};
+    while (auto turn = turns.next()) {
+      if (length_m(*turn) > longest) break;
+      if (stays_inside(terrain_.space, terrain_.footprint, *turn)) return Arrival{goal, std::move(*turn)};
     }
   }
   return std::nullopt;
@@ -215,7 +216,7 @@ void shorten_from(Path& path, std::size_t first, const Terrain& terrain) {
     const auto begin = path.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = path.begin() + static_cast<std::ptrdiff_t>(last) + 1;
     const Path old(begin, end);
-    const auto turn = direct_turn(terrain, terrain.limits, start_pose(old), end_pose(old));
+    const auto turn = direct_turn(terrain, terrain.swings, start_pose(old), end_pose(old));
     if (!turn || cost_m(terrain, *turn) >= cost_m(terrain, old) - 0.01) continue;
     path.insert(path.erase(begin, end), turn->begin(), turn->end());
     return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -8,15 +9,9 @@
 
 #include "selion/core/machine.hpp"
 #include "selion/motion/path.hpp"
+#include "selion/motion/swings.hpp"
 
 namespace selion {
-
-struct CurveLimits {
-  double curvature_per_m = 0;
-  double sharpness_per_m2 = 0;
-
-  friend bool operator==(const CurveLimits&, const CurveLimits&) = default;
-};
 
 /// What the machine's steering allows at `speed_mps` (Cariou et al. 2020, eq. 16 and 20).
 CurveLimits limits_at(const Machine& machine, double speed_mps);
@@ -34,22 +29,55 @@ struct Corner {
 };
 Corner corner_of(double deflection_rad, const CurveLimits& limits);
 
-/// Every candidate is curvature-continuous, starts and ends straight (curvature 0) within 1e-9 m and 1e-9 rad
-/// of the poses given, and keeps the limits. Empty where the family has none.
-using TurnFamily = std::vector<Path> (*)(const Pose& from, const Pose& to, const CurveLimits& limits);
+/// Every candidate starts and ends straight (curvature 0) within 1e-12 m and 1e-12 rad of the poses given (a
+/// straight within 1e-9, so that rounded poses in line need no swings), is curvature-continuous but for
+/// changes of gear, and keeps the limits. Empty where the family has none.
+using TurnFamily = std::vector<Path> (*)(const Pose& from, const Pose& to, const Swings& swings);
+
+/// What a turn asks of a machine besides steering.
+enum class Needs { nothing, reverse };
 
 struct TurnKind {
   std::string_view name;
   std::string_view about;
-  TurnFamily candidates;
+  Needs needs = Needs::nothing;
+  TurnFamily candidates = nullptr;
+};
+
+/// What the machine may do besides steering.
+struct Manoeuvres {
+  bool reverse = false;
+
+  friend bool operator==(const Manoeuvres&, const Manoeuvres&) = default;
 };
 
 /// loop and flat (between antiparallel swaths, the shorter one driven on), dip, straight and the Dubins words
-/// with clothoids (any two poses).
+/// with clothoids, fishtail (any two poses).
 std::span<const TurnKind> turns();
 
 /// The candidates of all families, shortest first, each way once; never empty. Poses that agree are connected
-/// by a straight of length 0.
+/// by a straight of length 0. A family is worked out only when it might have the next one: who needs one way
+/// pays for one.
+class Connections {
+ public:
+  /// Forwards only. `swings` must outlive this.
+  Connections(const Pose& from, const Pose& to, const Swings& swings);
+  Connections(const Pose& from, const Pose& to, const Swings& swings, const Manoeuvres& may);
+  ~Connections();
+  Connections(Connections&&) noexcept;
+  Connections& operator=(Connections&&) noexcept;
+  Connections(const Connections&) = delete;
+  Connections& operator=(const Connections&) = delete;
+
+  /// The next longer one; absent when there are no more.
+  std::optional<Path> next();
+
+ private:
+  class Queue;
+  std::unique_ptr<Queue> queue_;
+};
+
+/// All of them at once.
 std::vector<Path> connections(const Pose& from, const Pose& to, const CurveLimits& limits);
 
 }  // namespace selion
