@@ -2,6 +2,7 @@
 #include "driver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -56,10 +57,17 @@ double Driver::longest_turn_m() const {
   return 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m;
 }
 
-/// The pose `run_in_m` before the work begins: from there the tool is brought down on a straight line.
-Pose Driver::before(const Path& work) const {
-  const Pose start = start_pose(work);
-  return {start.at - machine_.run_in_m * unit(start.heading_rad), start.heading_rad};
+/// The pose `run_in_m` before the work begins: from there the tool is brought down on a straight line. Nearer where
+/// the machine does not fit so far back.
+Pose Driver::before(const Pose& start) const {
+  constexpr std::array kShares{1.0, 0.75, 0.5, 0.25};
+  if (machine_.run_in_m <= 0) return start;
+  for (const double share : kShares) {
+    const Point begin = start.at - share * machine_.run_in_m * unit(start.heading_rad);
+    if (stays_inside(space_, terrain_.footprint, {{line(begin, start.at), Gear::forward}}))
+      return {begin, start.heading_rad};
+  }
+  return start;
 }
 
 std::vector<Path> Driver::ways_back() const {
@@ -73,27 +81,30 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
   here_ = end_pose(work);
 }
 
-/// The cheapest single turn within the limits: those that can be short are worked out first.
-std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals,
-                                                  const Swings& swings) const {
+/// The cheapest single turn within the limits, with what follows: those that can be short are worked out first.
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals, const Swings& swings) const {
   std::vector<std::pair<double, std::size_t>> ranked;
+  const double radius_m = 1 / swings.limits().curvature_per_m;
   for (std::size_t i = 0; i < goals.size(); ++i)
-    ranked.emplace_back(dubins_length_m(*here_, goals[i], 1 / swings.limits().curvature_per_m), i);
+    ranked.emplace_back(dubins_length_m(*here_, goals[i].pose, radius_m) + goals[i].rest_m, i);
   std::sort(ranked.begin(), ranked.end());
   std::optional<Approach> best;
+  double best_m = kFarRound * longest_turn_m();
   for (const auto& [least_m, i] : ranked) {
-    if (least_m >= (best ? best->cost_m : kFarRound * longest_turn_m())) break;
-    auto turn = direct_turn(terrain_, swings, *here_, goals[i]);
+    if (best && least_m >= best_m) break;
+    auto turn = direct_turn(terrain_, swings, *here_, goals[i].pose);
     if (!turn) continue;
     const double cost = cost_m(terrain_, *turn);
-    if (!best || cost < best->cost_m - kNoBetter_m) best = Approach{i, std::move(*turn), cost};
+    if (best && cost + goals[i].rest_m >= best_m - kNoBetter_m) continue;
+    best_m = cost + goals[i].rest_m;
+    best = Approach{i, std::move(*turn), cost};
   }
   return best;
 }
 
 /// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane at
 /// the border swings out over it.
-std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals) {
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
   std::optional<Approach> best;
   for (const double wider : {1.0, 2.0, 4.0, 8.0}) {
     auto turn = turn_into(goals, swings(wider));
@@ -111,32 +122,35 @@ std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const
 
 /// The cheapest of: one turn; where that is a long one, the roads; where these lead far round or nowhere, a
 /// search.
-std::optional<Driver::Approach> Driver::approach(const std::vector<Pose>& goals) {
+std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals) {
   std::optional<Approach> best = turn_into(goals);
   const auto keep_cheaper = [&best](std::optional<Approach> other) {
     if (other && (!best || other->cost_m < best->cost_m - kNoBetter_m)) best = std::move(other);
   };
-  if (!best || best->cost_m > longest_turn_m()) keep_cheaper(by(roads().way(*here_, goals, ways_back())));
-  const bool close = far_m(here_, goals.front()) < longest_turn_m();
+  if (best && best->cost_m <= longest_turn_m()) return best;
+  std::vector<Pose> poses;
+  for (const Goal& goal : goals) poses.push_back(goal.pose);
+  keep_cheaper(by(roads().way(*here_, poses, ways_back())));
+  const bool close = far_m(here_, poses.front()) < longest_turn_m();
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
-    if (auto found = searched(terrain_, {*here_}, goals)) keep_cheaper(by(std::move(found->arrival)));
+    if (auto found = searched(terrain_, {*here_}, poses)) keep_cheaper(by(std::move(found->arrival)));
   return best;
 }
 
 bool Driver::drive_to(const Task& task) {
   if (task.ways.empty()) return false;
   if (!here_) {
-    work(task, {}, task.ways.front());
+    work(task, {}, path_of(task, task.ways.front()));
     return true;
   }
-  std::vector<Pose> goals;
-  for (const Path& way : task.ways) goals.push_back(before(way));
+  std::vector<Goal> goals;
+  for (const Way& way : task.ways) goals.push_back({before(way.start), way.rest_m});
   std::optional<Approach> best = approach(goals);
   if (!best) return false;
-  const Path& chosen = task.ways[best->goal];
-  if (machine_.run_in_m > 0)
-    best->way.push_back({line(goals[best->goal].at, start_pose(chosen).at), Gear::forward});
-  work(task, best->way, chosen);
+  const Way& chosen = task.ways[best->goal];
+  const Point begin = goals[best->goal].pose.at;
+  if (begin != chosen.start.at) best->way.push_back({line(begin, chosen.start.at), Gear::forward});
+  work(task, best->way, path_of(task, chosen));
   return true;
 }
 
@@ -163,7 +177,7 @@ void Driver::drive_again(std::vector<RoutePiece> pieces) {
 }
 
 bool Driver::drive_out_to(const Pose& goal) {
-  std::optional<Approach> best = approach({goal});
+  std::optional<Approach> best = approach({{goal, 0}});
   if (!best) return false;
   if (Path clean = without_crumbs(std::move(best->way)); !clean.empty())
     driven_.push_back({PieceKind::transfer, "", std::move(clean)});

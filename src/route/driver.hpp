@@ -41,16 +41,20 @@ class Driver {
     double cost_m = 0;
   };
 
-  [[nodiscard]] std::optional<Approach> approach(const std::vector<Pose>& goals);
-  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals);
-  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals,
-                                                  const Swings& swings) const;
+  struct Goal {
+    Pose pose;
+    double rest_m = 0;  ///< what follows costs so much more than after the best goal
+  };
+
+  [[nodiscard]] std::optional<Approach> approach(const std::vector<Goal>& goals);
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals);
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, const Swings& swings) const;
   [[nodiscard]] const Swings& swings(double wider);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
   void work(const Task& task, const Path& way, const Path& work);
   [[nodiscard]] std::vector<Path> ways_back() const;
-  [[nodiscard]] Pose before(const Path& work) const;
+  [[nodiscard]] Pose before(const Pose& start) const;
   [[nodiscard]] double longest_turn_m() const;
 
   const Layout& layout_;

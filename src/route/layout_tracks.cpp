@@ -55,7 +55,7 @@ std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const
   const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
   for (const Swath& swath : layout.swaths) {
     const Task task = swath_task(terrain, machine, swath, Sense::forth);
-    for (const Path& way : task.ways) tracks.push_back(swath_track(terrain, way, near_m));
+    for (const Path& way : task.lines) tracks.push_back(swath_track(terrain, way, near_m));
   }
   return tracks;
 }

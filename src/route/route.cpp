@@ -40,11 +40,11 @@ std::optional<Infeasible> too_narrow(const BlockGate& gate, const Machine& machi
                     fixed(machine.body_width_m, 2) + " m"};
 }
 
-void work_all(Work& work, HeadlandOrder headland, const Progress& progress) {
+void work_all(Work& work, HeadlandOrder headland, const BlockGate* gate, const Progress& progress) {
   if (headland == HeadlandOrder::first) work.headland_inwards();
   work.swaths(progress);
   work.pockets();
-  if (headland == HeadlandOrder::last) work.headland_outwards();
+  if (headland == HeadlandOrder::last) work.headland_outwards(gate == nullptr ? std::nullopt : std::optional{gate->at});
   work.put_off();
 }
 
@@ -88,7 +88,7 @@ Result<Route> route(const Block& block, const Layout& layout, const Machine& mac
   std::vector<std::string> notes;
   if (gate != nullptr) enter(driver, *gate, notes);
   Work work{driver, layout};
-  work_all(work, options.headland, progress);
+  work_all(work, options.headland, gate, progress);
   if (!works_a_swath(driver.driven()))
     return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
   if (gate != nullptr) leave(driver, *gate, notes);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "roads.hpp"
+#include "selion/core/angle.hpp"
 #include "selion/motion/dead_ends.hpp"
 
 namespace selion {
@@ -37,30 +39,51 @@ Path tool_turned_round(const Path& path, double tool_x_m) {
   return from_straight(back, shift_m);
 }
 
-/// The round begun at stations to either side of the one nearest to `here`, the further off the fewer: the near
-/// ones may be hard to reach, and a wide lane change takes many metres.
-std::vector<Path> begun_around(const Path& round, const std::optional<Pose>& here) {
-  const Track track = track_of(round, true);
+/// How much of the straight on which the machine stands at `station` lies ahead.
+double straight_ahead_m(const Track& track, std::size_t station) {
   const auto& stations = track.stations;
-  if (stations.empty()) return {};
+  const std::size_t count = stations.size();
+  double ahead_m = 0;
+  for (std::size_t k = station; k < station + count; ++k) {
+    const auto& here = stations[k % count];
+    const auto& next = stations[(k + 1) % count];
+    if (std::abs(wrapped(next.pose.heading_rad - here.pose.heading_rad)) > 1e-6) break;
+    ahead_m += distance_m(here.pose.at, next.pose.at);
+  }
+  return ahead_m;
+}
+
+double nearest_m(const std::vector<Point>& places, Point p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point place : places) least = std::min(least, distance_m(place, p));
+  return least;
+}
+
+/// Begun at stations to either side of the one nearest to `here`, the further off the fewer: the near ones may be
+/// hard to reach, and a wide lane change takes many metres.
+void begin_around(Task& task, const std::optional<Pose>& here, const std::vector<Point>& then_to,
+                  double lane_change_m) {
+  const std::size_t line = task.lines.size() - 1;
+  const Track track = track_of(task.lines.back(), true);
+  const auto& stations = track.stations;
+  if (stations.empty()) return;
   const auto nearest = std::min_element(stations.begin(), stations.end(),
                                         [&here](const Track::Station& a, const Track::Station& b) {
                                           return far_m(here, a.pose) < far_m(here, b.pose);
                                         });
   const auto count = static_cast<std::ptrdiff_t>(stations.size());
   const std::ptrdiff_t middle = nearest - stations.begin();
-  std::vector<Path> ways;
-  const auto begin_at = [&](std::ptrdiff_t station) {
-    const double s_m = stations[static_cast<std::size_t>((station + count) % count)].s_m;
-    ways.push_back(part_of(round, s_m, s_m + track.length_m));
+  const auto begin_at = [&](std::ptrdiff_t offset) {
+    const auto at = static_cast<std::size_t>((middle + offset + count) % count);
+    const double rest_m = then_to.empty() ? std::max(0.0, lane_change_m - straight_ahead_m(track, at))
+                                          : nearest_m(then_to, stations[at].pose.at);
+    task.ways.push_back({line, stations[at].s_m, stations[at].pose, rest_m});
   };
-  begin_at(middle);
-  std::ptrdiff_t off = 1;
-  for (; 2 * off < count; off += 1 + off / kDenseStarts) {
-    begin_at(middle + off);
-    begin_at(middle - off);
+  begin_at(0);
+  for (std::ptrdiff_t off = 1; 2 * off < count; off += 1 + off / kDenseStarts) {
+    begin_at(off);
+    begin_at(-off);
   }
-  return ways;
 }
 
 /// May the machine drive the way without ending where it cannot leave? One that may reverse backs out.
@@ -79,41 +102,55 @@ Path swath_way(const Machine& machine, const Swath& swath, Sense sense) {
                                : swath_path(machine, swath.to, swath.from);
 }
 
+void Task::add_line(Path line) {
+  ways.push_back({lines.size(), 0, start_pose(line), 0});
+  lines.push_back(std::move(line));
+}
+
+Path path_of(const Task& task, const Way& way) {
+  const Path& line = task.lines[way.line];
+  return task.closed ? part_of(line, way.from_m, way.from_m + length_m(line)) : line;
+}
+
 Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath, Sense preferred) {
-  Task task{PieceKind::swath, swath.id, {}};
+  Task task{PieceKind::swath, swath.id, {}, {}};
   for (const Sense sense : {preferred, opposite(preferred)})
     if (Path way = swath_way(machine, swath, sense);
         fits(terrain.space, terrain.footprint, way) && passable(terrain, way))
-      task.ways.push_back(std::move(way));
+      task.add_line(std::move(way));
   return task;
 }
 
 Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path) {
-  Task task{PieceKind::headland_pass, std::move(id), {}};
+  Task task{PieceKind::headland_pass, std::move(id), {}, {}};
   for (const Path& way : {path, tool_turned_round(path, machine.tool_x_m)})
-    if (fits(terrain.space, terrain.footprint, way) && passable(terrain, way)) task.ways.push_back(way);
+    if (fits(terrain.space, terrain.footprint, way) && passable(terrain, way)) task.add_line(way);
   return task;
 }
 
 Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here,
-                      Round round) {
-  Task task{PieceKind::headland_pass, pass.id, {}, true};
-  const Path path = round == Round::as_laid ? pass.path : turned_round(pass.path);
-  if (round == Round::turned && !fits(terrain.space, terrain.footprint, path)) return task;
-  task.ways = begun_around(path, here);
+                      Round round, const std::vector<Point>& then_to) {
+  constexpr double kLaneChange = 12;  // turning radii: onto a ring at the border it is a wide one
+  Task task{PieceKind::headland_pass, pass.id, {}, {}, true};
+  Path line = round == Round::as_laid ? pass.path : turned_round(pass.path);
+  if (round == Round::turned && !fits(terrain.space, terrain.footprint, line)) return task;
+  task.lines.push_back(std::move(line));
+  begin_around(task, here, then_to, kLaneChange / terrain.limits.curvature_per_m);
   sort_nearest_first(task.ways, here);
   return task;
 }
 
 void add_ways(Task& task, Task others, const std::optional<Pose>& here) {
-  task.ways.insert(task.ways.end(), std::make_move_iterator(others.ways.begin()),
-                   std::make_move_iterator(others.ways.end()));
+  for (Way& way : others.ways) way.line += task.lines.size();
+  task.lines.insert(task.lines.end(), std::make_move_iterator(others.lines.begin()),
+                    std::make_move_iterator(others.lines.end()));
+  task.ways.insert(task.ways.end(), others.ways.begin(), others.ways.end());
   sort_nearest_first(task.ways, here);
 }
 
 std::optional<double> split_place_m(const Task& task, double working_width_m) {
   if (task.kind != PieceKind::headland_pass || task.closed || task.ways.empty()) return std::nullopt;
-  const Track track = track_of(task.ways.front(), false);
+  const Track track = track_of(task.lines.front(), false);
   if (track.length_m < kLeastSplit * working_width_m) return std::nullopt;
   const auto off_middle_m = [half_m = track.length_m / 2](const Track::Station& station) {
     return std::abs(station.s_m - half_m);
@@ -130,9 +167,9 @@ double far_m(const std::optional<Pose>& here, const Pose& pose) {
   return here ? distance_m(here->at, pose.at) : 0;
 }
 
-void sort_nearest_first(std::vector<Path>& ways, const std::optional<Pose>& here) {
-  std::stable_sort(ways.begin(), ways.end(), [&here](const Path& a, const Path& b) {
-    return far_m(here, start_pose(a)) < far_m(here, start_pose(b));
+void sort_nearest_first(std::vector<Way>& ways, const std::optional<Pose>& here) {
+  std::stable_sort(ways.begin(), ways.end(), [&here](const Way& a, const Way& b) {
+    return far_m(here, a.start) < far_m(here, b.start);
   });
 }
 

@@ -82,7 +82,7 @@ void Work::work_chain(const Chain& chain, Sense sense) {
 
 double Work::nearness_m(const Task& task) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Path& way : task.ways) least = std::min(least, far_m(driver_.here(), start_pose(way)));
+  for (const Way& way : task.ways) least = std::min(least, far_m(driver_.here(), way.start));
   return least;
 }
 
@@ -114,7 +114,7 @@ void Work::work_nearest(std::vector<Task> tasks) {
 bool Work::split(const Task& task, std::vector<Task>& into) const {
   const auto middle_m = split_place_m(task, driver_.machine().working_width_m);
   if (!middle_m) return false;
-  const Path& whole = task.ways.front();
+  const Path& whole = task.lines.front();
   for (const auto& [from_m, to_m] : {std::pair{0.0, *middle_m}, std::pair{*middle_m, length_m(whole)}})
     into.push_back(
         open_pass_task(driver_.terrain(), driver_.machine(), task.id, part_of(whole, from_m, to_m)));
@@ -131,24 +131,33 @@ void Work::pockets() {
 
 void Work::put_off() { work_nearest(std::exchange(put_off_, {})); }
 
+/// Ends where the swaths begin: at the nearest end of a chain.
 void Work::headland_inwards() {
   std::vector<const HeadlandPass*> order = passes_of(layout_);
   std::stable_sort(order.begin(), order.end(),
                    [](const HeadlandPass* a, const HeadlandPass* b) { return a->ring < b->ring; });
-  work_rings(order);
+  std::vector<Point> entries;
+  for (const Chain& chain : chains_of(layout_.swaths, layout_.along))
+    for (const Swath* swath : {chain.front(), chain.back()}) {
+      entries.push_back(swath->from);
+      entries.push_back(swath->to);
+    }
+  work_rings(order, entries);
 }
 
-void Work::headland_outwards() {
+void Work::headland_outwards(const std::optional<Point>& gate) {
   std::vector<const HeadlandPass*> order = passes_of(layout_);
   std::stable_sort(order.begin(), order.end(),
                    [](const HeadlandPass* a, const HeadlandPass* b) { return a->ring > b->ring; });
-  work_rings(order);
+  work_rings(order, gate ? std::vector{*gate} : std::vector<Point>{});
 }
 
-void Work::work_rings(const std::vector<const HeadlandPass*>& order) {
+/// Of several passes of the last ring, none knows which one will be the last: all end as near to it as they can.
+void Work::work_rings(const std::vector<const HeadlandPass*>& order, const std::vector<Point>& then_to) {
   for (auto first = order.begin(); first != order.end();) {
     const auto last = std::find_if(first, order.end(),
                                    [&](const HeadlandPass* pass) { return pass->ring != (*first)->ring; });
+    then_to_ = last == order.end() ? then_to : std::vector<Point>{};
     work_ring({first, last});
     first = last;
   }
@@ -191,16 +200,16 @@ bool Work::drive_on_to(const Task& task) {
 Task Work::pass_task(const HeadlandPass& pass) const {
   const Terrain& terrain = driver_.terrain();
   if (!pass.closed) return open_pass_task(terrain, driver_.machine(), pass.id, pass.path);
-  Task task = closed_pass_task(terrain, pass, driver_.here(), Round::as_laid);
+  Task task = closed_pass_task(terrain, pass, driver_.here(), Round::as_laid, then_to_);
   if (either_way_round_)
-    add_ways(task, closed_pass_task(terrain, pass, driver_.here(), Round::turned), driver_.here());
+    add_ways(task, closed_pass_task(terrain, pass, driver_.here(), Round::turned, then_to_), driver_.here());
   return task;
 }
 
 /// The other way round, where that has not been tried with the first.
 bool Work::work_turned(const HeadlandPass& pass) {
   if (!pass.closed || either_way_round_) return false;
-  return driver_.drive_to(closed_pass_task(driver_.terrain(), pass, driver_.here(), Round::turned));
+  return driver_.drive_to(closed_pass_task(driver_.terrain(), pass, driver_.here(), Round::turned, then_to_));
 }
 
 std::vector<std::string> Work::left() const {

@@ -20,9 +20,10 @@ class Work {
   void swaths(const Progress& progress);
   /// Pockets, and what was put off, nearest first.
   void pockets();
-  /// Ring by ring, from the outermost in or from the innermost out.
+  /// Ring by ring, from the outermost in, to end near the first swath, or from the innermost out, to end near the
+  /// gate, if there is one.
   void headland_inwards();
-  void headland_outwards();
+  void headland_outwards(const std::optional<Point>& gate);
   /// Once more what was put off.
   void put_off();
   /// Ids of what was put off and not reached since.
@@ -41,7 +42,7 @@ class Work {
   [[nodiscard]] double nearness_m(const Task& task) const;
   void work_nearest(std::vector<Task> tasks);
   [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
-  void work_rings(const std::vector<const HeadlandPass*>& order);
+  void work_rings(const std::vector<const HeadlandPass*>& order, const std::vector<Point>& then_to);
   void work_ring(std::vector<const HeadlandPass*> passes);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
   bool work_turned(const HeadlandPass& pass);
@@ -50,6 +51,7 @@ class Work {
   Driver& driver_;
   const Layout& layout_;
   bool either_way_round_;  ///< may every closed pass be driven both ways round?
+  std::vector<Point> then_to_;  ///< where the machine goes after the ring being worked; empty: to the next ring
   std::vector<Task> put_off_;
   std::vector<std::string> dead_ends_;  ///< ids of what was taken back
 };
