@@ -133,6 +133,7 @@ LocalFrame::LocalFrame(std::string proj, LonLat origin) : proj_{std::move(proj)}
   made->from_wgs84 = transformation(made->context, proj_);
   if (!made->from_wgs84) throw InputError{"PROJ makes no projection of '" + proj_ + "'; use the frame auto"};
   projection_ = std::move(made);
+  same_datum_ = proj_.find(" +datum=WGS84") != std::string::npos;
 }
 
 LocalFrame LocalFrame::centred(LonLat origin) {
@@ -188,6 +189,7 @@ LonLat LocalFrame::to_lonlat(Point p) const {
     const PJ_COORD out =
         proj_trans(projection_->from_wgs84.get(), PJ_INV, proj_coord(aim.x_m, aim.y_m, 0, HUGE_VAL));
     found = {out.xy.x, out.xy.y};
+    if (same_datum_) break;
     const Point missed = p - to_local(found);
     if (!(length_m(missed) > kExact_m)) break;
     aim = aim + missed;

@@ -93,7 +93,7 @@ Polygons combined(ClipperLib::ClipType what, const Paths& subject, const Paths& 
 
 Polygons moved_border(const Polygons& areas, double by_m, ClipperLib::JoinType join, double miter_limit) {
   ClipperLib::ClipperOffset offset{miter_limit, kArcTolerance_m * kGrid_per_m};
-  offset.AddPaths(to_grid(unite(areas)), join, ClipperLib::etClosedPolygon);
+  offset.AddPaths(to_grid(areas.size() == 1 ? areas : unite(areas)), join, ClipperLib::etClosedPolygon);
   ClipperLib::PolyTree tree;
   offset.Execute(tree, by_m * kGrid_per_m);
   return from_grid(tree);
@@ -117,6 +117,19 @@ Polygons intersect(const Polygons& a, const Polygons& b) {
 
 Polygons subtract(const Polygons& a, const Polygons& b) {
   return combined(ClipperLib::ctDifference, to_grid(a), to_grid(b));
+}
+
+Polygons turned(Polygons areas, double by_rad) {
+  const Point x = unit(by_rad);
+  const Point y = left_of(x);
+  const auto turn = [&](Ring& ring) {
+    for (Point& p : ring) p = p.x_m * x + p.y_m * y;
+  };
+  for (Polygon& area : areas) {
+    turn(area.shell);
+    for (Ring& hole : area.holes) turn(hole);
+  }
+  return areas;
 }
 
 Polygons inset(const Polygons& areas, double distance_m) {

@@ -18,7 +18,9 @@ constexpr double kLeastShare = 0.15;  // of the working width that a pass has to
 constexpr double kLeastLength = 1.5;  // of the working width
 constexpr int kRounds = 2;
 
-Polygons covered_by(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets) {
+/// What of the workable ground nothing laid out so far covers.
+Polygons left_by(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets) {
+  const double flat_rad = -layout.along.radians();  // with the swaths from west to east
   Polygons swept;
   const auto take = [&](const Path& path) {
     for (Ring& piece : swept_by_tool(ground.footprint, path)) swept.push_back({std::move(piece), {}});
@@ -26,7 +28,8 @@ Polygons covered_by(const Ground& ground, const Layout& layout, const std::vecto
   for (const HeadlandPass& pass : layout.headland_passes) take(pass.path);
   for (const Swath& swath : layout.swaths) take(swath_path(ground.machine, swath.from, swath.to));
   for (const Swath& swath : pockets) take(swath_path(ground.machine, swath.from, swath.to));
-  return unite(swept);
+  return turned(subtract(turned(ground.workable, flat_rad), unite(turned(std::move(swept), flat_rad))),
+                -flat_rad);
 }
 
 /// The heading along which the part is narrowest across: one of its own edges' (Freeman and Shapira 1975).
@@ -170,7 +173,7 @@ std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
 std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout) {
   std::vector<Swath> pockets;
   for (int round = 0; round < kRounds; ++round) {
-    const Polygons left = subtract(ground.workable, covered_by(ground, layout, pockets));
+    const Polygons left = left_by(ground, layout, pockets);
     const std::vector<Swath> more = pieces_into(ground, left);
     if (more.empty()) break;
     pockets.insert(pockets.end(), more.begin(), more.end());

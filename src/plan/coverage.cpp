@@ -19,6 +19,8 @@ struct Swept {
 
 class Tally {
  public:
+  explicit Tally(double turned_rad) : turned_rad_{turned_rad} {}
+
   /// What the tool sweeps on the path: where it comes over its own ground again, that counts again.
   void add(const Footprint& footprint, const Path& path) {
     Polygons steps;
@@ -26,7 +28,7 @@ class Tally {
       swept_.sum_m2 += signed_area_m2(ring);
       steps.push_back({std::move(ring), {}});
     }
-    for (Polygon& part : unite(steps)) all_.push_back(std::move(part));
+    for (Polygon& part : unite(turned(std::move(steps), turned_rad_))) all_.push_back(std::move(part));
   }
   Swept united() {
     swept_.together = unite(all_);
@@ -34,6 +36,7 @@ class Tally {
   }
 
  private:
+  double turned_rad_;
   Swept swept_;
   Polygons all_;
 };
@@ -50,9 +53,10 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
   const Footprint footprint = footprint_of(machine);
   std::set<std::string> pocket_ids;
   for (const Swath& pocket : layout.pockets) pocket_ids.insert(pocket.id);
-  Tally headland_tally;
-  Tally swath_tally;
-  Tally pocket_tally;
+  const double flat_rad = -layout.along.radians();  // with the swaths from west to east
+  Tally headland_tally{flat_rad};
+  Tally swath_tally{flat_rad};
+  Tally pocket_tally{flat_rad};
   for (const RoutePiece& piece : route.pieces) {
     if (piece.kind == PieceKind::headland_pass)
       headland_tally.add(footprint, piece.path);
@@ -64,14 +68,15 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
   const Swept pockets = pocket_tally.united();
   const Polygons main = joined(headland.together, swaths.together);
   const Polygons all = joined(main, pockets.together);
+  const Polygons area = turned({block.area}, flat_rad);
 
   Coverage coverage;
-  coverage.covered_m2 = area_m2(intersect(all, {block.area}));
+  coverage.covered_m2 = area_m2(intersect(all, area));
   coverage.twice.corners_m2 = headland.sum_m2 - area_m2(headland.together);
   coverage.twice.last_strip_m2 = swaths.sum_m2 - area_m2(swaths.together);
   coverage.twice.wedges_m2 = area_m2(headland.together) + area_m2(swaths.together) - area_m2(main);
   coverage.twice.pockets_m2 = pockets.sum_m2 - (area_m2(all) - area_m2(main));
-  coverage.uncovered = outset(inset(subtract({block.area}, all), kGap_m), kGap_m, 2);
+  coverage.uncovered = turned(outset(inset(subtract(area, all), kGap_m), kGap_m, 2), -flat_rad);
   return coverage;
 }
 

@@ -137,20 +137,38 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals)
   return best;
 }
 
+std::vector<Driver::Goal> Driver::goals_of(const Task& task) const {
+  std::vector<Goal> goals;
+  for (const Way& way : task.ways) goals.push_back({before(way.start), way.rest_m});
+  return goals;
+}
+
+void Driver::drive_by(const Task& task, const std::vector<Goal>& goals, Approach approach) {
+  const Way& chosen = task.ways[approach.goal];
+  const Point begin = goals[approach.goal].pose.at;
+  if (begin != chosen.start.at) approach.way.push_back({line(begin, chosen.start.at), Gear::forward});
+  work(task, approach.way, path_of(task, chosen));
+}
+
+bool Driver::turn_to(const Task& task) {
+  if (!here_ || task.ways.empty()) return false;
+  const std::vector<Goal> goals = goals_of(task);
+  auto turn = turn_into(goals, terrain_.swings);
+  if (!turn || turn->cost_m > longest_turn_m()) return false;
+  drive_by(task, goals, std::move(*turn));
+  return true;
+}
+
 bool Driver::drive_to(const Task& task) {
   if (task.ways.empty()) return false;
   if (!here_) {
     work(task, {}, path_of(task, task.ways.front()));
     return true;
   }
-  std::vector<Goal> goals;
-  for (const Way& way : task.ways) goals.push_back({before(way.start), way.rest_m});
+  const std::vector<Goal> goals = goals_of(task);
   std::optional<Approach> best = approach(goals);
   if (!best) return false;
-  const Way& chosen = task.ways[best->goal];
-  const Point begin = goals[best->goal].pose.at;
-  if (begin != chosen.start.at) best->way.push_back({line(begin, chosen.start.at), Gear::forward});
-  work(task, best->way, path_of(task, chosen));
+  drive_by(task, goals, std::move(*best));
   return true;
 }
 

@@ -25,6 +25,8 @@ class Driver {
   [[nodiscard]] const std::vector<RoutePiece>& driven() const { return driven_; }
 
   void stand_at(std::optional<Pose> pose) { here_ = pose; }
+  /// Drives to the task by one turn and works it; false where there is none, or a long one only.
+  bool turn_to(const Task& task);
   /// Drives to the task by the cheapest of its ways and works it; false where it cannot be reached.
   bool drive_to(const Task& task);
   /// Takes the last work back, with the way to it; what was taken back, last piece last. Empty where there is
@@ -52,6 +54,8 @@ class Driver {
   [[nodiscard]] const Swings& swings(double wider);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
+  [[nodiscard]] std::vector<Goal> goals_of(const Task& task) const;
+  void drive_by(const Task& task, const std::vector<Goal>& goals, Approach approach);
   void work(const Task& task, const Path& way, const Path& work);
   [[nodiscard]] std::vector<Path> ways_back() const;
   [[nodiscard]] Pose before(const Pose& start) const;

@@ -54,8 +54,9 @@ std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const
     add_both_ways(tracks, terrain, pocket_way(terrain, machine, pocket), false);
   const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
   for (const Swath& swath : layout.swaths) {
-    const Task task = swath_task(terrain, machine, swath, Sense::forth);
-    for (const Path& way : task.lines) tracks.push_back(swath_track(terrain, way, near_m));
+    for (const Sense sense : {Sense::forth, Sense::back})
+      if (const Path way = swath_way(machine, swath, sense); fits(terrain.space, terrain.footprint, way))
+        tracks.push_back(swath_track(terrain, way, near_m));
   }
   return tracks;
 }

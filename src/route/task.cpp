@@ -112,9 +112,10 @@ Path path_of(const Task& task, const Way& way) {
   return task.closed ? part_of(line, way.from_m, way.from_m + length_m(line)) : line;
 }
 
-Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath, Sense preferred) {
+Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath,
+                std::initializer_list<Sense> senses) {
   Task task{PieceKind::swath, swath.id, {}, {}};
-  for (const Sense sense : {preferred, opposite(preferred)})
+  for (const Sense sense : senses)
     if (Path way = swath_way(machine, swath, sense);
         fits(terrain.space, terrain.footprint, way) && passable(terrain, way))
       task.add_line(std::move(way));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,8 +39,9 @@ enum class Sense { forth, back };  ///< from a swath's A side to its B side, or 
 Sense opposite(Sense sense);
 Path swath_way(const Machine& machine, const Swath& swath, Sense sense);
 
-/// A swath or pocket piece: driven as `preferred`, then the other way, each where the machine fits.
-Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath, Sense preferred);
+/// A swath or pocket piece driven in one of `senses`, the first one preferred; those in which the machine fits.
+Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath,
+                std::initializer_list<Sense> senses);
 
 /// A part of the way round: either way along it.
 Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path);

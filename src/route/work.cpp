@@ -68,10 +68,13 @@ void Work::swaths(const Progress& progress) {
 void Work::work_chain(const Chain& chain, Sense sense) {
   int failed = 0;
   for (const Swath* swath : chain) {
-    Task task = swath_task(driver_.terrain(), driver_.machine(), *swath, sense);
-    if (failed >= kGiveUpChain || !driver_.drive_to(task)) {  // the rest is no nearer: later, from elsewhere
+    const Terrain& terrain = driver_.terrain();
+    const Machine& machine = driver_.machine();
+    if (failed >= kGiveUpChain ||  // the rest is no nearer: later, from elsewhere
+        (!driver_.turn_to(swath_task(terrain, machine, *swath, {sense})) &&
+         !driver_.drive_to(swath_task(terrain, machine, *swath, {sense, opposite(sense)})))) {
       ++failed;
-      put_off_.push_back(std::move(task));
+      put_off_.push_back(swath_task(terrain, machine, *swath, {sense, opposite(sense)}));
       continue;
     }
     failed = 0;
@@ -124,7 +127,7 @@ bool Work::split(const Task& task, std::vector<Task>& into) const {
 void Work::pockets() {
   std::vector<Task> tasks;
   for (const Swath& pocket : layout_.pockets)
-    tasks.push_back(swath_task(driver_.terrain(), driver_.machine(), pocket, Sense::forth));
+    tasks.push_back(swath_task(driver_.terrain(), driver_.machine(), pocket, {Sense::forth, Sense::back}));
   move_to_end(tasks, put_off_);
   work_nearest(std::move(tasks));
 }

@@ -36,6 +36,7 @@ class LocalFrame {
   std::shared_ptr<const Projection> projection_;
   std::string proj_;
   LonLat origin_;
+  bool same_datum_ = false;  ///< as WGS84: the way back needs no second look
 };
 
 /// Centre of all parts of the field, the antimeridian unwrapped.
