@@ -159,8 +159,10 @@ std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
 /// One round of pieces into the unworked ground.
 std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
   const double least_m2 = least_pocket_m2(ground.machine);
+  Polygons large = left;
+  std::erase_if(large, [least_m2](const Polygon& part) { return area_m2(part) < least_m2; });
   std::vector<Swath> pieces;
-  for (const Polygon& part : outset_round(inset_round(left, kSliver_m), kSliver_m)) {
+  for (const Polygon& part : outset_round(inset_round(large, kSliver_m), kSliver_m)) {
     if (area_m2(part) < least_m2) continue;
     for (const Swath& piece : pieces_over(ground, part))
       if (auto fit = fitted(ground, piece)) pieces.push_back(*fit);

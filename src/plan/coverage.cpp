@@ -2,6 +2,7 @@
 #include "coverage.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "selion/motion/footprint.hpp"
@@ -28,7 +29,9 @@ class Tally {
       swept_.sum_m2 += signed_area_m2(ring);
       steps.push_back({std::move(ring), {}});
     }
-    for (Polygon& part : unite(turned(std::move(steps), turned_rad_))) all_.push_back(std::move(part));
+    steps = turned(std::move(steps), turned_rad_);
+    if (steps.size() > 1) steps = unite(steps);
+    all_.insert(all_.end(), std::make_move_iterator(steps.begin()), std::make_move_iterator(steps.end()));
   }
   Swept united() {
     swept_.together = unite(all_);

@@ -49,10 +49,10 @@ double cost_m(const Terrain& terrain, const Path& path) {
 }
 
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
-                                const Pose& to) {
+                                const Pose& to, double most_m) {
   if (auto straight = straight_on(from, to))
     return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
-  const double longest = longest_turn_m(terrain, from, to);
+  const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
   Connections turns{from, to, swings};
   while (auto turn = turns.next()) {
     if (length_m(*turn) > longest) break;

@@ -82,17 +82,18 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
 }
 
 /// The cheapest single turn within the limits, with what follows: those that can be short are worked out first.
-std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals, const Swings& swings) const {
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals, const Swings& swings,
+                                                  double most_m) const {
   std::vector<std::pair<double, std::size_t>> ranked;
   const double radius_m = 1 / swings.limits().curvature_per_m;
   for (std::size_t i = 0; i < goals.size(); ++i)
     ranked.emplace_back(dubins_length_m(*here_, goals[i].pose, radius_m) + goals[i].rest_m, i);
   std::sort(ranked.begin(), ranked.end());
   std::optional<Approach> best;
-  double best_m = kFarRound * longest_turn_m();
+  double best_m = most_m;
   for (const auto& [least_m, i] : ranked) {
     if (best && least_m >= best_m) break;
-    auto turn = direct_turn(terrain_, swings, *here_, goals[i].pose);
+    auto turn = direct_turn(terrain_, swings, *here_, goals[i].pose, best ? best_m - goals[i].rest_m : best_m);
     if (!turn) continue;
     const double cost = cost_m(terrain_, *turn);
     if (best && cost + goals[i].rest_m >= best_m - kNoBetter_m) continue;
@@ -103,15 +104,11 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals
 }
 
 /// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane at
-/// the border swings out over it.
+/// the border swings out over it. Last, tight ones that are long.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
-  std::optional<Approach> best;
-  for (const double wider : {1.0, 2.0, 4.0, 8.0}) {
-    auto turn = turn_into(goals, swings(wider));
-    if (turn && (!best || turn->cost_m < best->cost_m - kNoBetter_m)) best = std::move(turn);
-    if (best && best->cost_m <= longest_turn_m()) break;
-  }
-  return best;
+  for (const double wider : {1.0, 2.0, 4.0, 8.0})
+    if (auto turn = turn_into(goals, swings(wider), longest_turn_m())) return turn;
+  return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m());
 }
 
 std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const {
@@ -153,7 +150,7 @@ void Driver::drive_by(const Task& task, const std::vector<Goal>& goals, Approach
 bool Driver::turn_to(const Task& task) {
   if (!here_ || task.ways.empty()) return false;
   const std::vector<Goal> goals = goals_of(task);
-  auto turn = turn_into(goals, terrain_.swings);
+  auto turn = turn_into(goals, terrain_.swings, longest_turn_m());
   if (!turn || turn->cost_m > longest_turn_m()) return false;
   drive_by(task, goals, std::move(*turn));
   return true;

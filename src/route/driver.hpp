@@ -50,7 +50,8 @@ class Driver {
 
   [[nodiscard]] std::optional<Approach> approach(const std::vector<Goal>& goals);
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals);
-  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, const Swings& swings) const;
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, const Swings& swings,
+                                                  double most_m) const;
   [[nodiscard]] const Swings& swings(double wider);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
