@@ -252,6 +252,12 @@ class Search {
     return ahead <= near && std::abs(b.from.second_m - second) <= near;
   }
 
+  static Run joined(Run run, const Run& next) {
+    if (next.to.first_m >= run.to.first_m) run.to = next.to;
+    if (next.to.meeting == Meeting::crossing) run.from.meeting = Meeting::crossing;
+    return run;
+  }
+
   [[nodiscard]] std::vector<Crossing> merged() const {
     std::vector<Crossing> all;
     std::vector<bool> is_used(found_.size());
@@ -262,8 +268,7 @@ class Search {
            j < found_.size() && found_[j].from.first_m - run.to.first_m <= 3 * kShortest_m; ++j) {
         if (is_used[j] || !is_next(run, found_[j])) continue;
         is_used[j] = true;
-        if (found_[j].to.first_m >= run.to.first_m) run.to = found_[j].to;
-        if (found_[j].to.meeting == Meeting::crossing) run.from.meeting = Meeting::crossing;
+        run = joined(run, found_[j]);
       }
       append_run(all, run.from, run.to);
     }
