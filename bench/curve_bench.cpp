@@ -42,6 +42,24 @@ std::vector<Curve> any_curves() {
   return all;
 }
 
+/// All pairs of 64 headings over a chord of 1 m.
+std::vector<Pose> headings() {
+  std::vector<Pose> all;
+  for (int i = 1; i <= 64; ++i) all.push_back({{}, std::numbers::pi * (i - 32) / 32});
+  return all;
+}
+
+/// At hundredths.
+void fresnel_at(benchmark::State& state) {
+  double t = static_cast<double>(state.range(0)) / 100;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(t);
+    benchmark::DoNotOptimize(fresnel(t));
+  }
+}
+BENCHMARK(fresnel_at)->Arg(10)->Arg(50)->Arg(100)->Arg(200)->Arg(350)->Arg(500)->Arg(2000)->Arg(100000);
+
+/// Everywhere within the reach.
 void fresnel_pair(benchmark::State& state) {
   const auto reach = static_cast<double>(state.range(0));
   double t = -reach;
@@ -71,6 +89,17 @@ void one_clothoid(benchmark::State& state) {
   }
 }
 BENCHMARK(one_clothoid);
+
+void one_clothoid_on_grid(benchmark::State& state) {
+  const auto poses = headings();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const Pose to{{1, 0}, poses[i / 64 % 64].heading_rad};
+    benchmark::DoNotOptimize(clothoid_between(poses[i % 64], to));
+    ++i;
+  }
+}
+BENCHMARK(one_clothoid_on_grid);
 
 void three_clothoids(benchmark::State& state) {
   const auto poses = any_poses();
@@ -110,6 +139,15 @@ void crossing(benchmark::State& state) {
   }
 }
 BENCHMARK(crossing);
+
+/// Curves of 10 m that all but overlap, 10^-n m apart.
+void near_overlap(benchmark::State& state) {
+  const Curve curve{{1, 2}, 0.3, -0.4, 0.08, 10};
+  Curve other = curve;
+  other.start.y_m += std::pow(10.0, -static_cast<double>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(crossings(curve, other));
+}
+BENCHMARK(near_overlap)->Arg(4)->Arg(6)->Arg(8)->Arg(9)->Unit(benchmark::kMillisecond);
 
 void offset_bend(benchmark::State& state) {
   const auto curves = any_curves();

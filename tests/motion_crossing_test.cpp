@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "test.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -87,4 +88,57 @@ TEST_CASE("parts of one curve overlap from end to end", "[motion][crossing]") {
     CHECK(shared[1].first_m == Approx(9).margin(1e-8));
   }
   CHECK(crossings({{0, 0}, 0, 0, 0, 5}, {{0, 1e-6}, 0, 0, 0, 5}).empty());
+}
+
+TEST_CASE("curves that nearly overlap are told apart without walking along them", "[motion][crossing]") {
+  const Curve curve{{1, 2}, 0.3, -0.4, 0.08, 10};
+  const auto beside = [&](double away_m) {
+    Curve other = curve;
+    other.start = curve.start + away_m * left_of(unit(curve.heading_rad));
+    return other;
+  };
+  CHECK(crossings(curve, beside(1e-6)).empty());
+  const auto near = crossings(curve, beside(5e-10));
+  REQUIRE(near.size() == 2);
+  CHECK(near[0].meeting == Meeting::overlap);
+  CHECK(near[0].first_m == Approx(0).margin(2e-4));
+  CHECK(near[1].first_m == Approx(10).margin(2e-4));
+}
+
+TEST_CASE("an overlap ends where the curves part", "[motion][crossing]") {
+  // 1e-7/m bent: 1e-9 m, and 2e-9 m, away after sqrt(2e-2) m, and sqrt(4e-2) m.
+  const Curve straight{{0, 0}, 0, 0, 0, 10};
+  const Curve bent{{0, 0}, 0, 1e-7, 0, 10};
+  for (const Curve& other : {bent, reversed(bent)}) {
+    const auto shared = crossings(straight, other);
+    REQUIRE(shared.size() == 2);
+    CHECK(shared[0].meeting == Meeting::overlap);
+    CHECK(shared[0].first_m == Approx(0).margin(2e-4));
+    CHECK(shared[1].first_m >= 0.1414 - 2e-4);
+    CHECK(shared[1].first_m <= 0.2 + 2e-4);
+  }
+}
+
+TEST_CASE("the search for meetings is short, however near the curves are", "[motion][crossing]") {
+  const auto began = std::chrono::steady_clock::now();
+  for (const Curve& curve : {Curve{{1, 2}, 0.3, -0.4, 0.08, 10}, Curve{{1, 2}, 0.3, 1, 0, 6},
+                             Curve{{1, 2}, 0.3, 0, 0, 10}, Curve{{1, 2}, 0.3, 0, 0.3, 10}}) {
+    for (double away = 1e-11; away < 1e-3; away *= 3) {
+      Curve other = curve;
+      other.start = curve.start + away * left_of(unit(curve.heading_rad));
+      crossings(curve, other);
+      other.start = curve.start;
+      other.heading_rad += away;
+      crossings(curve, other);
+      other.heading_rad = curve.heading_rad;
+      other.curvature_per_m += away;
+      crossings(curve, other);
+      other.curvature_per_m = curve.curvature_per_m;
+      other.sharpness_per_m2 += away;
+      crossings(curve, other);
+    }
+  }
+  // 272 searches, 12 ms each.
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  CHECK(took.count() < 60);
 }

@@ -10,6 +10,11 @@ namespace selion {
 
 double wrapped(double angle_rad) {
   const double turn = 2 * std::numbers::pi;
+  // Within a turn the remainder takes one off at most, without rounding: the same, at less cost.
+  if (std::abs(angle_rad) <= turn) {
+    if (angle_rad > std::numbers::pi) return angle_rad - turn;
+    return angle_rad <= -std::numbers::pi ? angle_rad + turn : angle_rad;
+  }
   const double rest = std::remainder(angle_rad, turn);
   return rest <= -std::numbers::pi ? rest + turn : rest;
 }

@@ -6,13 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "beside.hpp"
 #include "selion/motion/nearest.hpp"
 
 namespace selion {
 namespace {
 
-// Curves this close meet; pieces shorter than kShortest that are still parallel are looked at as a whole.
+// Curves this close meet, and those that stay within kTogether side by side are not told apart further;
+// pieces shorter than kShortest that are still parallel are looked at as a whole.
 constexpr double kTouching_m = 1e-9;
+constexpr double kTogether_m = 2e-9;
 constexpr double kShortest_m = 1e-4;
 
 struct Place {
@@ -102,6 +105,12 @@ struct Pair {
   double second = 0;
 };
 
+/// Side by side from the one to the other, which may be the same.
+struct Run {
+  Crossing from;
+  Crossing to;
+};
+
 class Search {
  public:
   Search(const Curve& first, const Curve& second) : first_{first}, second_{second} {}
@@ -110,8 +119,8 @@ class Search {
     auto shared = shared_ends(first_, second_);
     if (shared.size() == 2) return shared;
     compare(whole(first_), whole(second_));
-    std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
-      return std::pair{a.first_m, a.second_m} < std::pair{b.first_m, b.second_m};
+    std::sort(found_.begin(), found_.end(), [](const Run& a, const Run& b) {
+      return std::pair{a.from.first_m, a.from.second_m} < std::pair{b.from.first_m, b.from.second_m};
     });
     return merged();
   }
@@ -128,6 +137,8 @@ class Search {
       if (add_crossing(p, q) || is_short) return;
     } else if (is_short) {
       return add_touching(p, q);
+    } else if (is_settled(p, q)) {
+      return;
     }
     if (p.length() >= q.length()) {
       const Place middle = place_on(first_, (p.from.s + p.to.s) / 2);
@@ -138,6 +149,21 @@ class Search {
       compare(p, piece_between(q.from, middle));
       compare(p, piece_between(middle, q.to));
     }
+  }
+
+  /// Are the pieces apart all along, or side by side all along? Else nothing would tell near curves apart but
+  /// pieces as short as they are near.
+  bool is_settled(const Piece& p, const Piece& q) {
+    constexpr double kMostTurn = 0.1;
+    if (p.turn + q.turn > kMostTurn || p.length() > 2 * q.length() || q.length() > 2 * p.length())
+      return false;
+    const auto found = beside(first_, {p.from.s, p.to.s}, second_, {q.from.s, q.to.s});
+    if (!found) return false;
+    if (found->least_m > kTouching_m) return true;
+    if (found->most_m > kTogether_m) return false;
+    found_.push_back({meeting_at({p.from.s, found->feet.from_m}, Meeting::touching),
+                      meeting_at({p.to.s, found->feet.to_m}, Meeting::touching)});
+    return true;
   }
 
   /// Is the crossing within both pieces? Then it is the only one.
@@ -206,15 +232,30 @@ class Search {
       add(at, Meeting::touching);
   }
 
-  void add(const Pair& at, Meeting meeting) {
-    found_.push_back({at.first, at.second, state_at(first_, at.first).at, meeting});
+  [[nodiscard]] Crossing meeting_at(const Pair& at, Meeting meeting) const {
+    return {at.first, at.second, state_at(first_, at.first).at, meeting};
   }
 
-  /// Does `b` go on with the run of touching pieces that ends in `a`, or is it the same meeting?
-  static bool is_next(const Crossing& a, const Crossing& b) {
-    const bool is_crossing = a.meeting == Meeting::crossing && b.meeting == Meeting::crossing;
+  void add(const Pair& at, Meeting meeting) {
+    const Crossing there = meeting_at(at, meeting);
+    found_.push_back({there, there});
+  }
+
+  /// Does `b` go on with the run of touching pieces, or is it the same meeting?
+  static bool is_next(const Run& run, const Run& b) {
+    const bool is_crossing = run.to.meeting == Meeting::crossing && b.from.meeting == Meeting::crossing;
     const double near = is_crossing ? 4 * kTouching_m : 3 * kShortest_m;
-    return b.first_m - a.first_m <= near && std::abs(b.second_m - a.second_m) <= near;
+    const double ahead = b.from.first_m - run.to.first_m;
+    // Within the run, the second curve is where the run has it.
+    const double sense = run.to.second_m < run.from.second_m ? -1 : 1;
+    const double second = run.to.second_m + (ahead < 0 ? sense * ahead : 0);
+    return ahead <= near && std::abs(b.from.second_m - second) <= near;
+  }
+
+  static Run joined(Run run, const Run& next) {
+    if (next.to.first_m >= run.to.first_m) run.to = next.to;
+    if (next.to.meeting == Meeting::crossing) run.from.meeting = Meeting::crossing;
+    return run;
   }
 
   [[nodiscard]] std::vector<Crossing> merged() const {
@@ -222,16 +263,14 @@ class Search {
     std::vector<bool> is_used(found_.size());
     for (std::size_t i = 0; i < found_.size(); ++i) {
       if (is_used[i]) continue;
-      Crossing begin = found_[i];
-      Crossing end = begin;
-      for (std::size_t j = i + 1; j < found_.size() && found_[j].first_m - end.first_m <= 3 * kShortest_m;
-           ++j) {
-        if (is_used[j] || !is_next(end, found_[j])) continue;
+      Run run = found_[i];
+      for (std::size_t j = i + 1;
+           j < found_.size() && found_[j].from.first_m - run.to.first_m <= 3 * kShortest_m; ++j) {
+        if (is_used[j] || !is_next(run, found_[j])) continue;
         is_used[j] = true;
-        end = found_[j];
-        if (end.meeting == Meeting::crossing) begin.meeting = Meeting::crossing;
+        run = joined(run, found_[j]);
       }
-      append_run(all, begin, end);
+      append_run(all, run.from, run.to);
     }
     return all;
   }
@@ -248,7 +287,7 @@ class Search {
 
   const Curve& first_;
   const Curve& second_;
-  std::vector<Crossing> found_;
+  std::vector<Run> found_;
 };
 
 }  // namespace

@@ -76,8 +76,9 @@ double sign_of(double k, double otherwise) {
   return k < 0 ? -1 : 1;
 }
 
-/// g + i f in metres where the curvature is k. @pre c >= 0, and k is not 0 where c is.
-Point antiderivative(double k, double c, double sign) {
+/// g + i f in metres where the curvature is k; `scale` is sqrt(pi / c), used where k is small against it.
+/// @pre c >= 0, and k is not 0 where c is.
+Point antiderivative(double k, double c, double sign, double scale) {
   constexpr double kFar = kPi * kFresnelFar * kFresnelFar;
   if (k * k >= kFar * c) {
     const double radius = 1 / k;
@@ -85,20 +86,19 @@ Point antiderivative(double k, double c, double sign) {
     const Auxiliary part = far_auxiliary(ratio);
     return {part.g * ratio * radius, part.f * radius};
   }
-  const double scale = std::sqrt(kPi / c);
   const Auxiliary part = auxiliary(std::abs(k) * scale * (1 / kPi));
   return {sign * scale * part.g, sign * scale * part.f};
 }
 
 /// The whole spiral, from the one eye to the other: it leads half a quarter left of the heading where the
 /// curvature is 0, which lies k^2 / (2c) before the start's.
-Point spiral(double heading, double k, double c) {
+Point spiral(double heading, double k, double c, double scale) {
   const Wide square = exact_product(k, k);
   const double before = square.high / (2 * c);
   const Wide back = exact_product(before, 2 * c);
   const double rest = ((square.high - back.high) - back.low + square.low) / (2 * c);
   const Point along = direction(sum(heading, {-before, -rest}));
-  return std::sqrt(kPi / c) * (along + left_of(along));
+  return scale * (along + left_of(along));
 }
 
 Wide heading_change(double k, double c, double s) {
@@ -117,9 +117,10 @@ Point far(const Curve& curve, double s, const EndDirections& ends) {
   const double end = k + c * s;
   const double sign = sign_of(k, end);
   const double end_sign = sign_of(end, k);
-  const Point way =
-      times(antiderivative(k, c, sign), ends.first) - times(antiderivative(end, c, end_sign), ends.last);
-  return sign == end_sign ? way : way + (end_sign - sign) / 2 * spiral(curve.heading_rad, k, c);
+  const double scale = std::sqrt(kPi / c);
+  const Point way = times(antiderivative(k, c, sign, scale), ends.first) -
+                    times(antiderivative(end, c, end_sign, scale), ends.last);
+  return sign == end_sign ? way : way + (end_sign - sign) / 2 * spiral(curve.heading_rad, k, c, scale);
 }
 
 EndDirections end_directions(const Curve& curve, double s) {

@@ -11,7 +11,8 @@
 namespace selion {
 
 /// The one clothoid from pose to pose that turns by `wrapped(to - chord) - wrapped(from - chord)` in all, the
-/// least for poses that roughly face along their chord. Its end agrees to 1e-12 of the distance. It may bend
+/// least for poses that roughly face along their chord. Its end agrees to 1e-12 of the distance, where it is
+/// no longer than 1000 distances: it grows without bound as both poses turn away from each other. It may bend
 /// as tightly as it must (Bertolazzi and Frego 2015, G1 Hermite interpolation).
 /// @pre the points differ; where they coincide there is no chord, and the answer is a curve of length 0.
 Curve clothoid_between(const Pose& from, const Pose& to);
