@@ -120,7 +120,37 @@ bool CornerLine::merge(Index i) {
   return true;
 }
 
-/// Edge i is too short for the corners at its ends. A left turn may be left out, for that leads inwards.
+/// Moves the left turn at one end of edge i back along the edge beyond it, until the edge is long enough: that
+/// cuts the corner, and leaves the line of the other edge, which may be a long one, as it is. False where there is
+/// no such place.
+bool CornerLine::slide(Index i, Index corner) {
+  constexpr int kHalvings = 8;
+  const bool back = corner == i;
+  const Index beyond = back ? previous(i) : corner;  // the edge that it slides along
+  const Vertex before = vertices_[corner];
+  const Point away = back ? -1 * edge(beyond) : edge(beyond);
+  const auto fits_at = [&](double share) {
+    vertices_[corner].at = before.at + share * away;
+    for (const Index k : {i, next(i)}) measure(k);
+    return room_m(i) >= 0 && room_m(beyond) >= 0;
+  };
+  double low = 0;
+  double high = 0.5;
+  bool found = false;
+  for (double share = 1.0 / 64; share <= 0.5 && !found; share *= 2) {
+    found = fits_at(share);
+    (found ? high : low) = share;
+  }
+  for (int k = 0; found && k < kHalvings; ++k) {
+    const double middle = (low + high) / 2;
+    (fits_at(middle) ? high : low) = middle;
+  }
+  vertices_[corner].at = found ? before.at + high * away : before.at;
+  measure_around(corner);
+  return found;
+}
+
+/// Edge i is too short for the corners at its ends. A left turn may be cut or left out, for that leads inwards.
 void CornerLine::relieve(Index i) {
   const Index j = next(i);
   const bool i_too_sharp = std::isinf(vertices_[i].reach.after_m);
@@ -129,6 +159,8 @@ void CornerLine::relieve(Index i) {
   if (merge(i)) return;
   const bool i_left = vertices_[i].turn_rad > 0;
   const bool j_left = vertices_[j].turn_rad > 0;
+  if (i_left && slide(i, i)) return;
+  if (j_left && slide(i, j)) return;
   if (i_left != j_left) return drop(i_left ? i : j);
   drop(std::abs(vertices_[i].turn_rad) < std::abs(vertices_[j].turn_rad) ? i : j);
 }

@@ -69,6 +69,7 @@ class CornerLine {
   void replace(Index i, const std::vector<Vertex>& by);
   void relieve(Index i);
   bool merge(Index i);
+  bool slide(Index i, Index corner);
   [[nodiscard]] Path corner_at(Index i) const;
   [[nodiscard]] Path edge_path(Index i) const;
   [[nodiscard]] bool stays(const Path& path) const;
