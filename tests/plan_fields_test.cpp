@@ -52,6 +52,35 @@ TEST_CASE("the paper's fields are covered to 99 % with little worked twice", "[p
   CHECK(uncovered == Approx(block.area_m2 - block.covered_m2).margin(0.002 * block.area_m2));
 }
 
+TEST_CASE("driving forwards only, a body as wide as its tool covers the paper's fields in good time",
+          "[plan]") {
+  struct Case {
+    const char* name;
+    double covered_percent;
+    double time_ratio;
+  };
+  const auto field = GENERATE(values<Case>({{"f1.geojson", 99.6, 1.23},
+                                            {"f2.geojson", 99.7, 1.24},
+                                            {"f3.geojson", 99.6, 1.19},
+                                            {"f4.geojson", 99.8, 1.21},
+                                            {"f5.geojson", 99.6, 1.29},
+                                            {"f6.geojson", 99.3, 1.35}}));
+  CAPTURE(field.name);
+  const Job job = job_of_toml(
+      "[machine]\npreset = \"p3\"\nworking_width_m = 4\nbody_width_m = 4\nfront_m = 2.4\nrear_m = 0.6\n"
+      "max_steer_deg = 18\nmax_lateral_mps2 = 1.5\nwork_speed_mps = 3.5\nmay_reverse = false\n");
+
+  const auto planned = plan(sample(field.name), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(100 * block.covered_m2 / block.area_m2 >= field.covered_percent);
+  const double total_s = block.work_s + block.turn_s + block.transfer_s;
+  CHECK(total_s <= field.time_ratio * block.covered_m2 / (4 * 3.5));
+  CHECK(block.reverse_m == 0);
+  CHECK(joined(faults_of(*planned, job.machine)) == "");
+}
+
 TEST_CASE("every preset drives every field of our own without a fault", "[plan]") {
   const auto name =
       GENERATE("l_shape.geojson", "u_shape.geojson", "with_pond.geojson", "slanted.geojson",

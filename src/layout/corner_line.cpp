@@ -120,9 +120,9 @@ bool CornerLine::merge(Index i) {
   return true;
 }
 
-/// Moves the left turn at one end of edge i back along the edge beyond it, until the edge is long enough: that
-/// cuts the corner, and leaves the line of the other edge, which may be a long one, as it is. False where there is
-/// no such place.
+/// Moves the left turn at one end of edge i back along the edge beyond it, until the edge is long enough:
+/// that cuts the corner, and leaves the line of the other edge, which may be a long one, as it is. False
+/// where there is no such place.
 bool CornerLine::slide(Index i, Index corner) {
   constexpr int kHalvings = 8;
   const bool back = corner == i;
@@ -150,7 +150,8 @@ bool CornerLine::slide(Index i, Index corner) {
   return found;
 }
 
-/// Edge i is too short for the corners at its ends. A left turn may be cut or left out, for that leads inwards.
+/// Edge i is too short for the corners at its ends. A left turn may be cut or left out, for that leads
+/// inwards.
 void CornerLine::relieve(Index i) {
   const Index j = next(i);
   const bool i_too_sharp = std::isinf(vertices_[i].reach.after_m);

@@ -38,8 +38,8 @@ class CornerLine {
     Index next = 0;
     double room_m = 0;
     bool dropped = false;
-    bool pushed = false;      ///< swung out already: its neighbours on the edges stand
-    bool may_gentle = true;   ///< until it has been found not to fit
+    bool pushed = false;     ///< swung out already: its neighbours on the edges stand
+    bool may_gentle = true;  ///< until it has been found not to fit
     bool gentle = false;
     bool corner_stays = false;  ///< is known to stay inside
     bool edge_stays = false;    ///< the same of the edge after it

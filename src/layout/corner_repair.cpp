@@ -55,8 +55,8 @@ void CornerLine::chamfer(Index i) {
   replace(i, {first, second});
 }
 
-/// A right turn driven round more widely: left by `by_rad` away from the line, right by so much more, and left
-/// again onto the line; as close to each other as the three turns can be.
+/// A right turn driven round more widely: left by `by_rad` away from the line, right by so much more, and
+/// left again onto the line; as close to each other as the three turns can be.
 std::vector<CornerLine::Vertex> CornerLine::wide(Index i, double by_rad) const {
   constexpr double kBetween_m = 0.02;
   const Vertex& v = vertices_[i];
@@ -88,7 +88,8 @@ bool CornerLine::fits_wide(Index i, const std::vector<Vertex>& wide) const {
   const double end_m = dot(wide.back().at - v.at, out) / length_m(out);
   const double before = length_m(in) - vertices_[v.previous].reach.after_m;
   const double after = length_m(out) - vertices_[v.next].reach.before_m;
-  if (begin_m + wide.front().reach.before_m > before || end_m + wide.back().reach.after_m > after) return false;
+  if (begin_m + wide.front().reach.before_m > before || end_m + wide.back().reach.after_m > after)
+    return false;
   const double heading = heading_rad(in);
   Path path = corner_path({wide[0].at - wide[0].reach.before_m * unit(heading), heading}, wide[0].turn_rad,
                           wide[0].shape);

@@ -94,7 +94,8 @@ Path corner_path(const Pose& start, double turn_rad, const CornerShape& shape) {
     const Step& step = corner.in.steps[i];
     add(path, at, side * step.to_per_m, side * step.from_per_m, step.length_m);
   }
-  if (corner.arc_m > kNoArc_m) add(path, at, side * corner.peak_per_m, side * corner.peak_per_m, corner.arc_m);
+  if (corner.arc_m > kNoArc_m)
+    add(path, at, side * corner.peak_per_m, side * corner.peak_per_m, corner.arc_m);
   for (std::size_t i = 0; i < corner.out.count; ++i) {
     const Step& step = corner.out.steps[i];
     add(path, at, side * step.from_per_m, side * step.to_per_m, step.length_m);

@@ -36,8 +36,8 @@ struct Ground {
 
 Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m);
 
-/// Of the piece's part that fits, driven from `from`, what a machine that only drives forwards can get to and away
-/// from; all of it for one that may reverse.
+/// Of the piece's part that fits, driven from `from`, what a machine that only drives forwards can get to and
+/// away from; all of it for one that may reverse.
 AxisExtent without_dead_ends(const Ground& ground, const Swath& way, AxisExtent fit);
 
 /// How far tool, body and axle go beyond the end of a swath in the U-turn to its neighbour, the end square to

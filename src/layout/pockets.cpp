@@ -9,9 +9,9 @@
 namespace selion {
 namespace {
 
-constexpr double kSliver_m = 0.1;     // gaps narrower than twice this are guidance error, not a pocket
-// Least area worth a pass, in squares of the working width: one that may reverse backs out of a corner, one that
-// may not has to come and go in a loop.
+constexpr double kSliver_m = 0.1;  // gaps narrower than twice this are guidance error, not a pocket
+// Least area worth a pass, in squares of the working width: one that may reverse backs out of a corner, one
+// that may not has to come and go in a loop.
 constexpr double kPassWorth = 0.75;
 constexpr double kForwardPassWorth = 2;
 constexpr double kLeastShare = 0.15;  // of the working width that a pass has to find unworked

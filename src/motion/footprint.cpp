@@ -128,8 +128,8 @@ bool clear_along_line(const FreeSpace& space, const Footprint& f, const Stretch&
 Point times(Point a, Point b) { return {a.x_m * b.x_m - a.y_m * b.y_m, a.x_m * b.y_m + a.y_m * b.x_m}; }
 
 /// Stands along a stretch, step by step: by Simpson's rule from one to the next, which over a step of at most
-/// half a metre errs by less than a micrometre. From half step to half step the heading grows by what itself grows
-/// evenly, so directions are products instead of sines and cosines.
+/// half a metre errs by less than a micrometre. From half step to half step the heading grows by what itself
+/// grows evenly, so directions are products instead of sines and cosines.
 class Walk {
  public:
   Walk(const Stretch& stretch, int steps)
@@ -253,7 +253,8 @@ class Strip {
   }
 
  private:
-  static constexpr double kMostTurned = -0.5;  // cosine of 120 degrees: turned less, a strip cannot meet itself
+  static constexpr double kMostTurned =
+      -0.5;  // cosine of 120 degrees: turned less, a strip cannot meet itself
 
   std::vector<Ring>& into_;
   Ring right_;
@@ -268,10 +269,9 @@ std::vector<Ring> swept_by_tool(const Footprint& f, const Path& path) {
   Strip strip{swept};
   for (const Stretch& stretch : path) {
     const double length = stretch.curve.length_m;
-    const int steps =
-        straight(stretch.curve)
-            ? 1
-            : std::max(1, static_cast<int>(std::ceil(length / sweep_step_m(f, stretch.curve))));
+    const int steps = straight(stretch.curve)
+                          ? 1
+                          : std::max(1, static_cast<int>(std::ceil(length / sweep_step_m(f, stretch.curve))));
     Walk walk{stretch, steps};
     Stand before = walk.here();
     for (int i = 1; i <= steps; ++i) {

@@ -28,8 +28,8 @@ constexpr double kGearChange_m = 6;  ///< what stopping and changing gear is wor
 /// Cost of a way: its metres, those over the mainland dearer, reversing and changes of gear dearer still.
 double cost_m(const Terrain& terrain, const Path& path);
 
-/// One turn within the limits, the shortest that stays inside; absent where none of at most `most_m`, and of a turn's
-/// length, does. Empty where both are one place.
+/// One turn within the limits, the shortest that stays inside; absent where none of at most `most_m`, and of
+/// a turn's length, does. Empty where both are one place.
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
                                 const Pose& to, double most_m);
 

@@ -57,8 +57,8 @@ double Driver::longest_turn_m() const {
   return 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m;
 }
 
-/// The pose `run_in_m` before the work begins: from there the tool is brought down on a straight line. Nearer where
-/// the machine does not fit so far back.
+/// The pose `run_in_m` before the work begins: from there the tool is brought down on a straight line. Nearer
+/// where the machine does not fit so far back.
 Pose Driver::before(const Pose& start) const {
   constexpr std::array kShares{1.0, 0.75, 0.5, 0.25};
   if (machine_.run_in_m <= 0) return start;
@@ -81,7 +81,8 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
   here_ = end_pose(work);
 }
 
-/// The cheapest single turn within the limits, with what follows: those that can be short are worked out first.
+/// The cheapest single turn within the limits, with what follows: those that can be short are worked out
+/// first.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals, const Swings& swings,
                                                   double most_m) const {
   std::vector<std::pair<double, std::size_t>> ranked;
@@ -93,7 +94,8 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals
   double best_m = most_m;
   for (const auto& [least_m, i] : ranked) {
     if (best && least_m >= best_m) break;
-    auto turn = direct_turn(terrain_, swings, *here_, goals[i].pose, best ? best_m - goals[i].rest_m : best_m);
+    auto turn =
+        direct_turn(terrain_, swings, *here_, goals[i].pose, best ? best_m - goals[i].rest_m : best_m);
     if (!turn) continue;
     const double cost = cost_m(terrain_, *turn);
     if (best && cost + goals[i].rest_m >= best_m - kNoBetter_m) continue;
@@ -103,8 +105,8 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals
   return best;
 }
 
-/// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane at
-/// the border swings out over it. Last, tight ones that are long.
+/// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane
+/// at the border swings out over it. Last, tight ones that are long.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
   for (const double wider : {1.0, 2.0, 4.0, 8.0})
     if (auto turn = turn_into(goals, swings(wider), longest_turn_m())) return turn;

@@ -33,7 +33,8 @@ Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, con
 void work_out(const Terrain& terrain, Link& link) {
   if (link.worked_out) return;
   link.worked_out = true;
-  const auto turn = direct_turn(terrain, terrain.swings, link.start, link.end, std::numeric_limits<double>::infinity());
+  const auto turn =
+      direct_turn(terrain, terrain.swings, link.start, link.end, std::numeric_limits<double>::infinity());
   if (!turn) return;
   link.path = whole(link, *turn);
   link.cost_m = cost_m(terrain, link.path);

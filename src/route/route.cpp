@@ -44,7 +44,8 @@ void work_all(Work& work, HeadlandOrder headland, const BlockGate* gate, const P
   if (headland == HeadlandOrder::first) work.headland_inwards();
   work.swaths(progress);
   work.pockets();
-  if (headland == HeadlandOrder::last) work.headland_outwards(gate == nullptr ? std::nullopt : std::optional{gate->at});
+  if (headland == HeadlandOrder::last)
+    work.headland_outwards(gate == nullptr ? std::nullopt : std::optional{gate->at});
   work.put_off();
 }
 

@@ -216,7 +216,8 @@ void shorten_from(Path& path, std::size_t first, const Terrain& terrain) {
     const auto begin = path.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = path.begin() + static_cast<std::ptrdiff_t>(last) + 1;
     const Path old(begin, end);
-    const auto turn = direct_turn(terrain, terrain.swings, start_pose(old), end_pose(old), length_m(old) * (1 + kOverMainland));
+    const auto turn = direct_turn(terrain, terrain.swings, start_pose(old), end_pose(old),
+                                  length_m(old) * (1 + kOverMainland));
     if (!turn || cost_m(terrain, *turn) >= cost_m(terrain, old) - 0.01) continue;
     path.insert(path.erase(begin, end), turn->begin(), turn->end());
     return;

@@ -13,7 +13,8 @@
 namespace selion {
 namespace {
 
-constexpr std::ptrdiff_t kDenseStarts = 6;  // stations either way of which each is tried to begin a headland pass
+constexpr std::ptrdiff_t kDenseStarts =
+    6;                             // stations either way of which each is tried to begin a headland pass
 constexpr double kLeastSplit = 8;  // working widths of length from which an open headland pass may be split
 
 /// The path from its first straight place at or beyond `from_m`: a swath may only be begun where the wheels
@@ -59,8 +60,8 @@ double nearest_m(const std::vector<Point>& places, Point p) {
   return least;
 }
 
-/// Begun at stations to either side of the one nearest to `here`, the further off the fewer: the near ones may be
-/// hard to reach, and a wide lane change takes many metres.
+/// Begun at stations to either side of the one nearest to `here`, the further off the fewer: the near ones
+/// may be hard to reach, and a wide lane change takes many metres.
 void begin_around(Task& task, const std::optional<Pose>& here, const std::vector<Point>& then_to,
                   double lane_change_m) {
   const std::size_t line = task.lines.size() - 1;

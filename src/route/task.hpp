@@ -39,7 +39,8 @@ enum class Sense { forth, back };  ///< from a swath's A side to its B side, or 
 Sense opposite(Sense sense);
 Path swath_way(const Machine& machine, const Swath& swath, Sense sense);
 
-/// A swath or pocket piece driven in one of `senses`, the first one preferred; those in which the machine fits.
+/// A swath or pocket piece driven in one of `senses`, the first one preferred; those in which the machine
+/// fits.
 Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swath,
                 std::initializer_list<Sense> senses);
 
@@ -48,9 +49,9 @@ Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string 
 
 enum class Round { as_laid, turned };  ///< which way a closed pass is driven round
 
-/// A closed pass begun at stations all around; from `here` the nearest first. It ends where it began: `then_to` are
-/// the places of which the machine goes to the nearest next; if there are none, to the next ring, for which it
-/// changes lanes on a straight. No ways where the machine does not fit.
+/// A closed pass begun at stations all around; from `here` the nearest first. It ends where it began:
+/// `then_to` are the places of which the machine goes to the nearest next; if there are none, to the next
+/// ring, for which it changes lanes on a straight. No ways where the machine does not fit.
 Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const std::optional<Pose>& here,
                       Round round, const std::vector<Point>& then_to);
 /// Puts the ways of another task for the same piece beside those of `task`.

@@ -24,10 +24,10 @@ std::vector<const HeadlandPass*> passes_of(const Layout& layout) {
 }
 
 bool fits_both_ways(const Terrain& terrain, const Layout& layout) {
-  return std::all_of(
-      layout.headland_passes.begin(), layout.headland_passes.end(), [&](const HeadlandPass& pass) {
-        return !pass.closed || fits(terrain.space, terrain.footprint, turned_round(pass.path));
-      });
+  return std::all_of(layout.headland_passes.begin(), layout.headland_passes.end(),
+                     [&](const HeadlandPass& pass) {
+                       return !pass.closed || fits(terrain.space, terrain.footprint, turned_round(pass.path));
+                     });
 }
 
 }  // namespace
@@ -155,7 +155,8 @@ void Work::headland_outwards(const std::optional<Point>& gate) {
   work_rings(order, gate ? std::vector{*gate} : std::vector<Point>{});
 }
 
-/// Of several passes of the last ring, none knows which one will be the last: all end as near to it as they can.
+/// Of several passes of the last ring, none knows which one will be the last: all end as near to it as they
+/// can.
 void Work::work_rings(const std::vector<const HeadlandPass*>& order, const std::vector<Point>& then_to) {
   for (auto first = order.begin(); first != order.end();) {
     const auto last = std::find_if(first, order.end(),
@@ -175,14 +176,15 @@ void Work::work_ring(std::vector<const HeadlandPass*> passes) {
           return far_m(driver_.here(), start_pose(a->path)) < far_m(driver_.here(), start_pose(b->path));
         });
     Task task = pass_task(**nearest);
-    if (!driver_.drive_to(task) && !work_turned(**nearest) && !drive_on_to(task)) failed.push_back(std::move(task));
+    if (!driver_.drive_to(task) && !work_turned(**nearest) && !drive_on_to(task))
+      failed.push_back(std::move(task));
     passes.erase(nearest);
   }
   work_nearest(std::move(failed));
 }
 
-/// A machine that only drives forwards may be stuck where it is: then what it worked last was a dead end, and is
-/// given up.
+/// A machine that only drives forwards may be stuck where it is: then what it worked last was a dead end, and
+/// is given up.
 bool Work::drive_on_to(const Task& task) {
   constexpr int kMostTakenBack = 3;
   if (driver_.terrain().may_reverse || !driver_.here()) return false;

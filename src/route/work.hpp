@@ -20,8 +20,8 @@ class Work {
   void swaths(const Progress& progress);
   /// Pockets, and what was put off, nearest first.
   void pockets();
-  /// Ring by ring, from the outermost in, to end near the first swath, or from the innermost out, to end near the
-  /// gate, if there is one.
+  /// Ring by ring, from the outermost in, to end near the first swath, or from the innermost out, to end near
+  /// the gate, if there is one.
   void headland_inwards();
   void headland_outwards(const std::optional<Point>& gate);
   /// Once more what was put off.
@@ -51,7 +51,8 @@ class Work {
   Driver& driver_;
   const Layout& layout_;
   bool either_way_round_;  ///< may every closed pass be driven both ways round?
-  std::vector<Point> then_to_;  ///< where the machine goes after the ring being worked; empty: to the next ring
+  std::vector<Point>
+      then_to_;  ///< where the machine goes after the ring being worked; empty: to the next ring
   std::vector<Task> put_off_;
   std::vector<std::string> dead_ends_;  ///< ids of what was taken back
 };

@@ -16,11 +16,12 @@ Polygons unite(const Polygons& areas);
 Polygons intersect(const Polygons& a, const Polygons& b);
 Polygons subtract(const Polygons& a, const Polygons& b);
 
-/// Turned about the origin. The booleans' sweep runs from south to north: long strips side by side are united many
-/// times faster where they lie from west to east.
+/// Turned about the origin. The booleans' sweep runs from south to north: long strips side by side are united
+/// many times faster where they lie from west to east.
 Polygons turned(Polygons areas, double by_rad);
 
-/// `areas`, none of which overlaps itself, shrunk by `distance_m` >= 0 on every side. Mitred: corners stay sharp.
+/// `areas`, none of which overlaps itself, shrunk by `distance_m` >= 0 on every side. Mitred: corners stay
+/// sharp.
 Polygons inset(const Polygons& areas, double distance_m);
 /// Shrunk with rounded reflex corners: exactly the places at least `distance_m` from the border.
 Polygons inset_round(const Polygons& areas, double distance_m);

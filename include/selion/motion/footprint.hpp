@@ -34,8 +34,8 @@ bool fits(const FreeSpace& space, const Footprint& footprint, const Pose& pose);
 /// The same where the path is known to begin inside.
 bool stays_inside(const FreeSpace& space, const Footprint& footprint, const Path& path);
 
-/// What the tool at full width sweeps: simple rings, anticlockwise, joined edge to edge; curves as chords within
-/// 3 mm.
+/// What the tool at full width sweeps: simple rings, anticlockwise, joined edge to edge; curves as chords
+/// within 3 mm.
 std::vector<Ring> swept_by_tool(const Footprint& footprint, const Path& path);
 
 }  // namespace selion
