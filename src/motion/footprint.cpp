@@ -234,6 +234,7 @@ class Strip {
       into_.push_back(convex_hull({corners.begin(), corners.end()}));
       return;
     }
+    if (!right_.empty() && distance_m(right_.back(), corners[0]) > kJoint_m) end();  // turned about on the spot
     if (right_.empty()) {
       right_.push_back(corners[0]);
       left_.push_back(corners[3]);
@@ -253,6 +254,7 @@ class Strip {
   }
 
  private:
+  static constexpr double kJoint_m = 1e-3;
   static constexpr double kMostTurned =
       -0.5;  // cosine of 120 degrees: turned less, a strip cannot meet itself
 
