@@ -10,6 +10,7 @@ namespace selion {
 
 double wrapped(double angle_rad) {
   const double turn = 2 * std::numbers::pi;
+  if (angle_rad > -std::numbers::pi && angle_rad <= std::numbers::pi) return angle_rad;
   const double rest = std::remainder(angle_rad, turn);
   return rest <= -std::numbers::pi ? rest + turn : rest;
 }
