@@ -14,33 +14,16 @@
 namespace selion {
 namespace {
 
-using WordFamily = std::vector<Word> (*)(const Pose& goal, const Swings& swings);
-
-/// A family and a bound of its words: they turn left and right by at least so many radians.
-struct Lazy {
-  WordFamily words;
-  double least_rad;
-};
-
 constexpr double kHair_m = 1e-8;
-constexpr std::size_t kCheap = 4;  // straight and U-turns: the first of the families
 
-/// Between words as long as each other the one of fewer stretches stands first and stays: families overlap, a
-/// flat turn is also left, straight, left.
-std::array<Lazy, 9> families_to(const Pose& goal) {
-  const double left = whole_turns_off(goal.heading_rad);
-  const double right = whole_turns_off(-goal.heading_rad);
-  const double least = std::min(left, right);
-  return {{{straight_words, 0},
-           {loop_words, least},
-           {dip_words, least},
-           {flat_words, least},
-           {line_words<1, 1>, left},
-           {line_words<-1, -1>, right},
-           {line_words<1, -1>, least},
-           {line_words<-1, 1>, least},
-           {fishtail_words, 0}}};
+/// The least that a family's ways turn left and right.
+double least_rad(Asked asked, double heading_rad) {
+  if (asked == Asked::by_lefts) return whole_turns_off(heading_rad);
+  if (asked == Asked::by_rights) return whole_turns_off(-heading_rad);
+  return asked == Asked::when_reversing ? 0 : std::abs(heading_rad);
 }
+
+bool goes_by_steps(Asked asked) { return asked == Asked::step_by_step || asked == Asked::step_by_step_right; }
 
 }  // namespace
 
@@ -49,22 +32,15 @@ std::array<Lazy, 9> families_to(const Pose& goal) {
 class Connections::Queue {
  public:
   Queue(const Pose& from, const Pose& to, const Swings& swings, Manoeuvres may)
-      : from_{from},
-        to_{to},
-        swings_{swings},
-        may_{may},
-        goal_{seen_from(from, to)},
-        families_{families_to(goal_)} {
+      : view_{from, to}, swings_{swings}, may_{may} {
     entries_.reserve(32);
     words_.reserve(16);
-    apart_m_ = length_m(goal_.at);
-    for (std::size_t i = 0; i < kCheap; ++i) expand({0, Step::family, i, 0});
+    apart_m_ = length_m(view_.goal.at);
+    const auto all = families();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].asked == Asked::first) expand({0, Step::family, i, 0});
     least_m_ = shortest_u_turn_m();
-    // The last one goes back: only for who may.
-    const std::size_t asked = families_.size() - (may_.reverse ? 0 : 1);
-    for (std::size_t i = kCheap; i < asked; ++i) push(Step::family, i, families_[i].least_rad);
-    if (!near_for_three(goal_, swings_)) return;
-    for (const std::size_t i : {0U, 1U}) push(Step::search, i, std::abs(goal_.heading_rad));
+    for (std::size_t i = 0; i < all.size(); ++i) push_family(i, all[i].asked);
   }
 
   std::optional<Path> next() {
@@ -103,6 +79,15 @@ class Connections::Queue {
     return a.least_m > b.least_m || (a.least_m == b.least_m && a.serial > b.serial);
   }
 
+  void push_family(std::size_t index, Asked asked) {
+    if (asked == Asked::first || (asked == Asked::when_reversing && !may_.reverse)) return;
+    const double least = least_rad(asked, view_.goal.heading_rad);
+    if (!goes_by_steps(asked))
+      push(Step::family, index, least);
+    else if (near_for_three(view_.goal, swings_))
+      push(Step::search, asked == Asked::step_by_step ? 0 : 1, least);
+  }
+
   void push_m(Step step, std::size_t index, double least_m) {
     entries_.push_back({least_m, step, index, serial_++});
     std::push_heap(entries_.begin(), entries_.end(), later);
@@ -118,7 +103,7 @@ class Connections::Queue {
   /// to a swath far aside: searching has found none, so the other families need not be asked before. A little
   /// beyond the first flat turns, and where a swath is driven on, others may be shorter.
   [[nodiscard]] double shortest_u_turn_m() const {
-    const auto turn = u_turn(goal_);
+    const auto turn = u_turn(view_.goal);
     if (may_.reverse || !turn || turn->before_m + std::abs(turn->after_m) > 1e-9) return 0;
     const double flat_from_m = std::numbers::sqrt2 * swings_.chord(std::numbers::pi / 2).length_m;
     const double aside_m = std::abs(turn->goal.at.y_m);
@@ -126,23 +111,23 @@ class Connections::Queue {
     return entries_.empty() ? 0 : entries_.front().least_m + kHair_m;
   }
 
-  void push_word(const Word& word) {
-    words_.push_back(word);
-    push_m(Step::word, words_.size() - 1, selion::length_m(word, swings_));
-  }
+  void push_known(std::size_t word) { push_m(Step::word, word, selion::length_m(words_[word], swings_)); }
 
   void expand(const Entry& entry) {
     if (entry.step == Step::family) {
-      for (const Word& word : families_[entry.index].words(goal_, swings_)) push_word(word);
+      const std::size_t before = words_.size();
+      families()[entry.index].words(words_, view_.goal, swings_);
+      for (std::size_t i = before; i < words_.size(); ++i) push_known(i);
     } else if (entry.step == Step::search) {
-      searches_[entry.index].emplace(goal_, entry.index == 0 ? 1 : -1, swings_);
+      searches_[entry.index].emplace(view_.goal, entry.index == 0 ? 1 : -1, swings_);
       push_diagonal(entry.index);
     } else if (entry.step == Step::diagonal) {
       add_starts(entry.index, ranks_[entry.index]++);
       push_diagonal(entry.index);
     } else if (const auto triple =
                    searches_[starts_[entry.index].search]->found(starts_[entry.index].start)) {
-      push_word({.swings_rad = *triple});
+      words_.push_back(word_of(*triple));
+      push_known(words_.size() - 1);
     }
   }
 
@@ -162,7 +147,7 @@ class Connections::Queue {
 
   /// Unless it is the same way as the last one.
   std::optional<Path> drawn(const Word& word, double length_m) {
-    auto path = drawn_to(word, from_, to_, swings_);
+    auto path = drawn_to(word, view_, swings_);
     if (!path || (found_any_ && same_as_last(*path, length_m))) return std::nullopt;
     found_any_ = true;
     last_ = word;
@@ -172,7 +157,7 @@ class Connections::Queue {
 
   [[nodiscard]] bool same_as_last(const Path& path, double length_m) const {
     if (std::abs(length_m - last_m_) > 1e-7) return false;
-    Drawn last{from_};
+    Drawn last{view_.from, view_.ahead};
     draw_word(last, last_, swings_);
     return distance_m(at_quarter(path, length_m), at_quarter(last.path, last_m_)) < 1e-6;
   }
@@ -189,9 +174,9 @@ class Connections::Queue {
     const double k = swings_.limits().curvature_per_m;
     const double least_m = 1 / k + k / swings_.limits().sharpness_per_m2;
     for (; doubled_ < 30; ++doubled_) {
-      Drawn start{from_};
+      Drawn start{view_.from, view_.ahead};
       draw_line(start, std::ldexp(least_m, doubled_));
-      if (!rest_) rest_ = std::make_unique<Queue>(start.at, to_, swings_, may_);
+      if (!rest_) rest_ = std::make_unique<Queue>(start.at, view_.to, swings_, may_);
       if (auto more = rest_->direct()) {
         append(start.path, *more);
         return std::move(start.path);
@@ -202,14 +187,11 @@ class Connections::Queue {
     return std::nullopt;
   }
 
-  Pose from_;
-  Pose to_;
+  View view_;
   const Swings& swings_;
   Manoeuvres may_;
-  Pose goal_;
   double apart_m_ = 0;
   double least_m_ = 0;  // of the families that are not cheap, where that is known
-  std::array<Lazy, 9> families_;
   std::array<std::optional<ThreeSwingSearch>, 2> searches_;
   std::array<std::size_t, 2> ranks_{};  // of the next diagonal of each search
   std::vector<Entry> entries_;

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "displacement.hpp"
+#include "families.hpp"
 #include "offer.hpp"
 #include "root.hpp"
 
@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNoCurve_m = 1e-12;
 constexpr double kMet_m = 1e-9;
+constexpr double kSettled = 3e-8;
 
 /// Half of a dip: clothoid up to the peak, arc, clothoid down to the dip.
 struct Half {
@@ -32,11 +33,14 @@ double arcless_rad(double dip_per_m, const CurveLimits& limits) {
 std::optional<Half> half_of(double dip_per_m, double deflection_rad, const CurveLimits& limits) {
   const double g = limits.sharpness_per_m2;
   const double arc = (deflection_rad - arcless_rad(dip_per_m, limits)) / limits.curvature_per_m;
+  if (arc >= 0)
+    return Half{limits.curvature_per_m, limits.curvature_per_m / g, arc,
+                (limits.curvature_per_m - dip_per_m) / g};
   const double square = g * deflection_rad + dip_per_m * dip_per_m / 2;
   if (!(square >= 0)) return std::nullopt;
-  const double peak = arc >= 0 ? limits.curvature_per_m : std::min(std::sqrt(square), limits.curvature_per_m);
+  const double peak = std::min(std::sqrt(square), limits.curvature_per_m);
   if (peak < dip_per_m * (1 - 1e-12) || dip_per_m < 0) return std::nullopt;
-  return Half{peak, peak / g, std::max(arc, 0.0), std::max(peak - dip_per_m, 0.0) / g};
+  return Half{peak, peak / g, 0, std::max(peak - dip_per_m, 0.0) / g};
 }
 
 /// A clothoid from straight on to `curvature_per_m`: where it leads, in the frame of its end, and its turn.
@@ -79,13 +83,18 @@ std::optional<Point> way_of(const Dip& dip, const Swings& swings) {
          turned(unit(dip.first_rad + dip.second_rad), mirrored(back));
 }
 
-/// The dip whose arcs' centres are `apart_m` from each other, 0 < apart_m < 2 a. Half of that, seen from the
-/// dip, falls with the dip's curvature nearly as (K - q)^2: Newton steps in its square root.
+/// The dip whose arcs' centres are `apart_m` from each other, 0 < apart_m < 2 a. Half of that, x, is seen
+/// from the dip; dx/dq = (q y - 1) / g and dy/dq = -q x / g. So x falls with the dip's curvature q nearly as
+/// p^2, p = K - q: x = p^2 / (2 g K) (1 - (K p / g)^2 / 12 + 7 K p^3 / (60 g^2) - ...), and Newton steps in
+/// its square root finish.
 double dip_of(double apart_m, const Swings& swings) {
   const double k = swings.limits().curvature_per_m;
   const double g = swings.limits().sharpness_per_m2;
   const double goal = std::sqrt(apart_m / 2);
-  double dip = std::max(k - std::sqrt(g * k * apart_m), 0.0);
+  const double below = std::sqrt(g * k * apart_m);
+  const double bend = k * below / g;
+  const double skew = 7 * k * below * below * below / (g * g);
+  double dip = std::max(k - below * (1 + bend * bend / 24 - skew / 120), 0.0);
   for (int i = 0; i < 12; ++i) {
     const Rise rise = rise_to(dip, swings);
     const Point centre = turned(mirrored(rise.turn), swings.centre()) - rise.way;
@@ -94,7 +103,7 @@ double dip_of(double apart_m, const Swings& swings) {
     const double slope = (dip * centre.y_m - 1) / (2 * g * root);
     const double step = (root - goal) / slope;
     dip = std::clamp(dip - step, 0.0, k);
-    if (std::abs(step) < 1e-15 * k) break;
+    if (std::abs(step) < kSettled * k) break;  // the next one is its square
   }
   return dip;
 }
@@ -103,13 +112,17 @@ double dip_of(double apart_m, const Swings& swings) {
 /// distance the dip.
 std::optional<Dip> dip_between_arcs(const Pose& goal, double deflection_rad, const Swings& swings) {
   const Point centre = swings.centre();
-  const Point between = goal.at - turned(unit(deflection_rad), mirrored(centre)) - centre;
+  const Point ahead = unit(deflection_rad);
+  const Point between = goal.at - turned(ahead, mirrored(centre)) - centre;
   const double apart = std::sqrt(dot(between, between));
   if (apart == 0 || apart >= 2 * centre.x_m) return std::nullopt;
-  const double dip = dip_of(apart, swings);
   const double first = whole_turns_off(heading_rad(between));
+  const double least = arcless_rad(swings.limits().curvature_per_m, swings.limits());
+  if (std::min(first, deflection_rad - first) < least) return std::nullopt;  // of the shallowest dip
+  const double dip = dip_of(apart, swings);
   if (std::min(first, deflection_rad - first) < arcless_rad(dip, swings.limits())) return std::nullopt;
-  return Dip{dip, first, deflection_rad - first};
+  const Point middle = (1 / apart) * between;
+  return Dip{dip, first, deflection_rad - first, middle, turned(mirrored(middle), ahead)};
 }
 
 /// The dip with two equal halves that leads as far as the goal is away.
@@ -125,7 +138,7 @@ std::optional<Dip> even_dip(const Pose& goal, double deflection_rad, const Swing
   const RootEnd widest{0, excess(0)};
   const RootEnd closest{most, swings.chord(deflection_rad).length_m - apart};
   if (widest.y < 0 || closest.y > 0) return std::nullopt;
-  return Dip{root_between(widest, closest, excess), half, half};
+  return Dip{root_between(widest, closest, excess), half, half, along, along};
 }
 
 /// Brought to the goal by Newton steps in the dip and in how the deflection is split.
@@ -133,7 +146,8 @@ std::optional<Dip> polished(Dip dip, const Pose& goal, const Swings& swings) {
   const CurveLimits& limits = swings.limits();
   const double deflection = dip.first_rad + dip.second_rad;
   const auto miss_of = [&](double q, double first) -> std::optional<Point> {
-    const auto way = way_of(Dip{q, first, deflection - first}, swings);
+    const auto way =
+        way_of(Dip{.dip_per_m = q, .first_rad = first, .second_rad = deflection - first}, swings);
     if (!way) return std::nullopt;
     return *way - goal.at;
   };
@@ -154,7 +168,11 @@ std::optional<Dip> polished(Dip dip, const Pose& goal, const Swings& swings) {
     dip.dip_per_m = std::clamp(dip.dip_per_m - cross(*miss, b) / scale, 0.0, limits.curvature_per_m);
     dip.first_rad -= std::clamp(cross(a, *miss) / scale, -0.3, 0.3);
     dip.second_rad = deflection - dip.first_rad;
-    if (met) return dip;  // with one more step, down to rounding
+    if (met) {  // with one more step, down to rounding
+      dip.first = unit(dip.first_rad);
+      dip.second = unit(dip.second_rad);
+      return dip;
+    }
   }
   return std::nullopt;
 }
@@ -162,10 +180,11 @@ std::optional<Dip> polished(Dip dip, const Pose& goal, const Swings& swings) {
 /// The dip to the left that reaches the goal.
 std::optional<Dip> dip_to(const Pose& goal, const Swings& swings) {
   const double deflection = whole_turns_off(goal.heading_rad);
-  if (deflection < 1e-6 || length_m(goal.at) > 6 * length_m(swings.centre())) return std::nullopt;
-  if (const auto dip = dip_between_arcs(goal, deflection, swings)) return dip;
+  const double most_m = 6 * swings.reach_m();
+  if (deflection < 1e-6 || dot(goal.at, goal.at) > most_m * most_m) return std::nullopt;
   const bool wrong_side = std::abs(deflection - std::numbers::pi) < 1e-6 && goal.at.y_m < 0;
   if (wrong_side) return std::nullopt;  // a U-turn leads to the side that it turns to
+  if (const auto dip = dip_between_arcs(goal, deflection, swings)) return dip;
   const auto even = even_dip(goal, deflection, swings);
   return even ? polished(*even, goal, swings) : std::nullopt;
 }
@@ -175,7 +194,7 @@ void add(std::vector<Word>& words, const UTurn& turn, const Swings& swings) {
     auto dip = dip_to(side > 0 ? turn.goal : mirrored(turn.goal), swings);
     if (!dip) continue;
     dip->side = side;
-    words.push_back({turn.before_m, {}, 0, dip, turn.after_m});
+    words.push_back({.before_m = turn.before_m, .dip = dip, .after_m = turn.after_m});
   }
 }
 
@@ -192,8 +211,8 @@ struct Sided {
     ramp.turn.y_m *= side;
     draw_ramp(drawn, ramp);
   }
-  void arc(double curvature_per_m, double length_m) const {
-    if (length_m > kNoCurve_m) draw_arc(drawn, side * curvature_per_m, length_m);
+  void arc(double curvature_per_m, double length_m, Point turn) const {
+    if (length_m > kNoCurve_m) draw_arc(drawn, side * curvature_per_m, length_m, {turn.x_m, side * turn.y_m});
   }
 };
 
@@ -217,21 +236,23 @@ void draw_dip(Drawn& drawn, const Dip& dip, const Swings& swings) {
   const double g = swings.limits().sharpness_per_m2;
   const Sided draw{drawn, static_cast<double>(dip.side)};
   draw.ramp({0, g, first->up_m, turned(peak.turn, peak.way), peak.turn});
-  draw.arc(first->peak_per_m, first->arc_m);
   const Rise down = between(low, peak);
+  draw.arc(first->peak_per_m, first->arc_m, turned(dip.first, mirrored(turned(peak.turn, down.turn))));
   draw.ramp({first->peak_per_m, -g, first->down_m, turned(down.turn, mirrored(down.way)), down.turn});
   const Rise up = between(low, next_peak);
   draw.ramp({second->peak_per_m - g * second->down_m, g, second->down_m, up.way, up.turn});
-  draw.arc(second->peak_per_m, second->arc_m);
+  draw.arc(second->peak_per_m, second->arc_m, turned(dip.second, mirrored(turned(next_peak.turn, up.turn))));
   draw.ramp({second->peak_per_m, -g, second->up_m, mirrored(next_peak.way), next_peak.turn});
 }
 
-std::vector<Word> dip_words(const Pose& goal, const Swings& swings) {
-  std::vector<Word> words;
-  add(words, {0, 0, goal}, swings);
+void dip_words(std::vector<Word>& words, const Pose& goal, const Swings& swings) {
   const auto turn = u_turn(goal);
+  if (turn && turn->opposite && turn->before_m + turn->after_m == 0) {
+    add(words, *turn, swings);
+    return;
+  }
+  add(words, {.goal = goal}, swings);
   if (turn && turn->before_m + turn->after_m > 0) add(words, *turn, swings);
-  return words;
 }
 
 }  // namespace selion

@@ -1,29 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "selion/motion/turns.hpp"
 #include "words.hpp"
 
 namespace selion {
 
+/// Adds a family's words to `goal`, seen from the start.
+using WordFamily = void (*)(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+
+/// How Connections asks a family for its words.
+enum class Asked {
+  first,           ///< they cost next to nothing
+  by_lefts,        ///< when a way that turns left by what it has to may be next
+  by_rights,       ///< the same to the right
+  by_sides,        ///< the same to either side
+  when_reversing,  ///< only for machines that may
+  step_by_step,    ///< by a search of its own, for three swings: the first one to the left
+  step_by_step_right,
+};
+
+struct Family {
+  TurnKind kind;
+  WordFamily words = nullptr;
+  Asked asked = Asked::first;
+};
+/// Between words as long as each other the one of fewer stretches stands first and stays: families overlap, a
+/// flat turn is also left, straight, left.
+std::span<const Family> families();
+
+void straight_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+void loop_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+void dip_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+void flat_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+void fishtail_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+
 /// Swing, straight, swing to the sides given.
 template <int First, int Second>
-std::vector<Word> line_words(const Pose& goal, const Swings& swings) {
-  return swing_line_swings(goal, First, Second, swings);
+void line_words(std::vector<Word>& words, const Pose& goal, const Swings& swings) {
+  add_swing_line_swings(words, goal, First, Second, swings);
 }
 
-/// Are three swings to a goal worth looking for? Farther off, a straight is shorter.
-bool near_for_three(const Pose& goal, const Swings& swings);
-
+/// Three swings, the first to `Side`.
 template <int Side>
-std::vector<Word> three_words(const Pose& goal, const Swings& swings) {
-  if (!near_for_three(goal, swings)) return {};
-  ThreeSwingSearch search{goal, Side, swings};
-  std::vector<ThreeSwingSearch::Start> starts;
-  for (std::size_t i = 0; i < ThreeSwingSearch::kDiagonals; ++i) search.add_starts(starts, i);
-  std::vector<Word> words;
-  for (const auto& start : starts)
-    if (const auto triple = search.found(start)) words.push_back({.swings_rad = *triple});
-  return words;
+void three_words(std::vector<Word>& words, const Pose& goal, const Swings& swings) {
+  add_three_swings(words, goal, Side, swings);
 }
 
 }  // namespace selion

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kMeets = 1e-9;         // m, rad, 1/m
 constexpr double kAntiparallel = 1e-6;  // rad
+constexpr double kRounding_rad = 4e-15;
 
 bool keeps(const Path& path, const CurveLimits& limits) {
   return std::all_of(path.begin(), path.end(), [&limits](const Stretch& stretch) {
@@ -26,10 +27,10 @@ bool keeps(const Path& path, const CurveLimits& limits) {
 
 }  // namespace
 
-Pose seen_from(const Pose& from, const Pose& to) {
+View::View(const Pose& from_pose, const Pose& to_pose)
+    : from{from_pose}, to{to_pose}, ahead{unit(from_pose.heading_rad)} {
   const Point way = to.at - from.at;
-  const Point ahead = unit(from.heading_rad);
-  return {{dot(ahead, way), cross(ahead, way)}, wrapped(to.heading_rad - from.heading_rad)};
+  goal = {{dot(ahead, way), cross(ahead, way)}, wrapped(to.heading_rad - from.heading_rad)};
 }
 
 double whole_turns_off(double angle_rad) {
@@ -38,26 +39,29 @@ double whole_turns_off(double angle_rad) {
   return rest >= turn || rest < 0 ? 0 : rest;
 }
 
-std::optional<Path> drawn_to(const Word& word, const Pose& from, const Pose& to, const Swings& swings) {
-  Drawn drawn{from};
+std::optional<Path> drawn_to(const Word& word, const View& view, const Swings& swings) {
+  Drawn drawn{view.from, view.ahead};
   draw_word(drawn, word, swings);
-  const Point off = to.at - drawn.at.at;
-  const bool meets =
-      dot(off, off) <= kMeets * kMeets && std::abs(wrapped(drawn.at.heading_rad - to.heading_rad)) <= kMeets;
+  const Point off = view.to.at - drawn.at.at;
+  const bool meets = dot(off, off) <= kMeets * kMeets &&
+                     std::abs(wrapped(drawn.at.heading_rad - view.to.heading_rad)) <= kMeets;
   if (!meets || !keeps(drawn.path, swings.limits())) return std::nullopt;
   return std::move(drawn.path);
 }
 
 std::optional<UTurn> u_turn(Pose goal) {
-  if (std::numbers::pi - std::abs(goal.heading_rad) > kAntiparallel) return std::nullopt;
+  const double off_rad = std::numbers::pi - std::abs(goal.heading_rad);
+  if (off_rad > kAntiparallel) return std::nullopt;
   UTurn turn;
+  turn.opposite = off_rad < kRounding_rad;
   if (goal.at.x_m > 0) {
     turn.before_m = goal.at.x_m;
     goal.at.x_m = 0;
   } else {
     // Driven at the goal's heading, so that the turn's end lies straight behind the goal.
-    turn.after_m = goal.at.x_m / std::cos(goal.heading_rad);
-    goal.at = goal.at - turn.after_m * unit(goal.heading_rad);
+    const Point along = turn.opposite ? Point{-1, 0} : unit(goal.heading_rad);
+    turn.after_m = goal.at.x_m / along.x_m;
+    goal.at = goal.at - turn.after_m * along;
   }
   turn.goal = goal;
   return turn;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cstddef>
+#include <string_view>
 #include <utility>
 
 #include "families.hpp"
@@ -9,30 +11,48 @@
 namespace selion {
 namespace {
 
-template <std::vector<Word> (*Words)(const Pose&, const Swings&)>
+template <WordFamily Words>
 std::vector<Path> drawn(const Pose& from, const Pose& to, const Swings& swings) {
+  const View view{from, to};
+  std::vector<Word> words;
+  Words(words, view.goal, swings);
   std::vector<Path> paths;
-  for (const Word& word : Words(seen_from(from, to), swings))
-    if (auto path = drawn_to(word, from, to, swings)) paths.push_back(std::move(*path));
+  paths.reserve(words.size());
+  for (const Word& word : words)
+    if (auto path = drawn_to(word, view, swings)) paths.push_back(std::move(*path));
   return paths;
 }
 
-constexpr auto kTurns = std::to_array<TurnKind>({
-    {"straight", "ahead, where the goal lies there", Needs::nothing, drawn<straight_words>},
-    {"loop", "an omega to a swath nearer than two turning radii", Needs::nothing, drawn<loop_words>},
-    {"dip", "one turn that straightens a little in its middle", Needs::nothing, drawn<dip_words>},
-    {"flat", "quarter turn, straight, quarter turn, to a swath further off", Needs::nothing,
-     drawn<flat_words>},
-    {"fishtail", "ahead in a turn, straight back, ahead in a turn", Needs::reverse, drawn<fishtail_words>},
-    {"lsl", "left, straight, left", Needs::nothing, drawn<line_words<1, 1>>},
-    {"rsr", "right, straight, right", Needs::nothing, drawn<line_words<-1, -1>>},
-    {"lsr", "left, straight, right", Needs::nothing, drawn<line_words<1, -1>>},
-    {"rsl", "right, straight, left", Needs::nothing, drawn<line_words<-1, 1>>},
-    {"lrl", "left, right, left", Needs::nothing, drawn<three_words<1>>},
-    {"rlr", "right, left, right", Needs::nothing, drawn<three_words<-1>>},
+template <WordFamily Words>
+constexpr Family family(std::string_view name, std::string_view about, Asked asked) {
+  const Needs needs = asked == Asked::when_reversing ? Needs::reverse : Needs::nothing;
+  return {{name, about, needs, drawn<Words>}, Words, asked};
+}
+
+constexpr auto kFamilies = std::to_array<Family>({
+    family<straight_words>("straight", "ahead, where the goal lies there", Asked::first),
+    family<loop_words>("loop", "an omega to a swath nearer than two turning radii", Asked::first),
+    family<dip_words>("dip", "one turn that straightens a little in its middle", Asked::first),
+    family<flat_words>("flat", "quarter turn, straight, quarter turn, to a swath further off", Asked::first),
+    family<line_words<1, 1>>("lsl", "left, straight, left", Asked::by_lefts),
+    family<line_words<-1, -1>>("rsr", "right, straight, right", Asked::by_rights),
+    family<line_words<1, -1>>("lsr", "left, straight, right", Asked::by_sides),
+    family<line_words<-1, 1>>("rsl", "right, straight, left", Asked::by_sides),
+    family<fishtail_words>("fishtail", "ahead in a turn, straight back, ahead in a turn",
+                           Asked::when_reversing),
+    family<three_words<1>>("lrl", "left, right, left", Asked::step_by_step),
+    family<three_words<-1>>("rlr", "right, left, right", Asked::step_by_step_right),
 });
 
+constexpr auto kTurns = [] {
+  std::array<TurnKind, kFamilies.size()> kinds;
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kFamilies[i].kind;
+  return kinds;
+}();
+
 }  // namespace
+
+std::span<const Family> families() { return kFamilies; }
 
 std::span<const TurnKind> turns() { return kTurns; }
 

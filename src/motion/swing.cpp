@@ -50,6 +50,8 @@ Swings::Swings(const CurveLimits& limits) : limits_{limits} {
   const Point end = displacement({{}, 0, 0, limits.sharpness_per_m2, 0}, k / limits.sharpness_per_m2);
   full_ramp_ = turned(mirrored(full_half_), end);
   centre_ = end + (1 / k) * left_of(full_half_);
+  reach_m_ = selion::length_m(centre_);
+  lean_rad_ = std::atan2(centre_.x_m, centre_.y_m);
   std::array<Point, kParts + 1> ways;
   for (std::size_t i = 0; i <= kParts; ++i) {
     const double deflection = 2 * std::numbers::pi / kParts * static_cast<double>(i);
@@ -116,15 +118,9 @@ void draw_line_back(Drawn& drawn, double length_m) {
   drawn.at.at = drawn.at.at - length_m * drawn.ahead;
 }
 
-void draw_arc(Drawn& drawn, double curvature_per_m, double length_m) {
-  if (!(length_m > 0)) return;
-  const double half = curvature_per_m * length_m / 2;
-  const Point half_turn = unit(half);
-  // Short arcs: sin(half) / half without losing what it is divided by.
-  const double chord =
-      std::abs(half) < 1e-4 ? length_m * (1 - half * half / 6) : 2 * half_turn.y_m / curvature_per_m;
-  const Point turn = turned(half_turn, half_turn);
-  draw_ramp(drawn, {curvature_per_m, 0, length_m, chord * half_turn, turn});
+void draw_arc(Drawn& drawn, double curvature_per_m, double length_m, Point turn) {
+  const double radius = 1 / curvature_per_m;
+  draw_ramp(drawn, {curvature_per_m, 0, length_m, {radius * turn.y_m, radius * (1 - turn.x_m)}, turn});
 }
 
 void draw_ramp(Drawn& drawn, const Ramp& ramp) {
@@ -136,29 +132,28 @@ void draw_ramp(Drawn& drawn, const Ramp& ramp) {
   drawn.ahead = turned(drawn.ahead, ramp.turn);
 }
 
-void draw_swing(Drawn& drawn, double deflection_rad, const Swings& swings) {
-  if (deflection_rad == 0) return;
-  const double deflection = std::abs(deflection_rad);
-  const SwingShape shape = swings.shape(deflection);
+void draw_swing(Drawn& drawn, const Deflection& by, const Swings& swings) {
+  if (by.rad == 0) return;
+  const double side = by.rad < 0 ? -1 : 1;
+  const SwingShape shape = swings.shape(side * by.rad);
   const bool full = shape.arc_m > 0;
-  Point turn = full ? swings.full_half() : unit(deflection / 2);
-  Point ramp = full ? swings.full_ramp() : Swings::ramp(deflection / 2, shape.clothoid_m);
-  double side = 1;
-  if (deflection_rad < 0) {
-    side = -1;
-    turn = mirrored(turn);
-    ramp = mirrored(ramp);
-  }
+  Point turn = full ? swings.full_half() : Point{by.half.x_m, side * by.half.y_m};
+  Point ramp = full ? swings.full_ramp() : Swings::ramp(side * by.rad / 2, shape.clothoid_m);
+  turn.y_m *= side;
+  ramp.y_m *= side;
   const double k = side * shape.curvature_per_m;
   const double g = side * shape.sharpness_per_m2;
   draw_ramp(drawn, {0, g, shape.clothoid_m, turned(turn, ramp), turn});
-  if (full) draw_arc(drawn, k, shape.arc_m);
+  if (full) {
+    const Point half_arc = turned(mirrored(turn), by.half);
+    draw_arc(drawn, k, shape.arc_m, turned(half_arc, half_arc));
+  }
   draw_ramp(drawn, {k, -g, shape.clothoid_m, mirrored(ramp), turn});
 }
 
 Path swing(const Pose& from, double deflection_rad, const CurveLimits& limits) {
   Drawn drawn{from};
-  draw_swing(drawn, deflection_rad, Swings{limits});
+  draw_swing(drawn, deflection(deflection_rad), Swings{limits});
   return drawn.path;
 }
 

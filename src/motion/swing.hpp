@@ -13,9 +13,17 @@ inline Point turned(Point by, Point p) {
 inline Point mirrored(Point p) { return {p.x_m, -p.y_m}; }
 inline Pose mirrored(const Pose& pose) { return {mirrored(pose.at), -pose.heading_rad}; }
 
+/// By how much a swing turns, left positive, and which way its chord leads.
+struct Deflection {
+  double rad = 0;
+  Point half{1, 0};  ///< unit(rad / 2)
+};
+inline Deflection deflection(double rad) { return {rad, unit(rad / 2)}; }
+
 /// A path while it is drawn, curve by curve, and where it has come to.
 struct Drawn {
-  explicit Drawn(const Pose& from) : at{from}, ahead{unit(from.heading_rad)} { path.reserve(11); }
+  explicit Drawn(const Pose& from) : Drawn{from, unit(from.heading_rad)} {}
+  Drawn(const Pose& from, Point ahead_of_from) : at{from}, ahead{ahead_of_from} { path.reserve(11); }
 
   Path path;
   Pose at;
@@ -24,7 +32,8 @@ struct Drawn {
 /// Nothing where `length_m` is not above 0.
 void draw_line(Drawn& drawn, double length_m);
 void draw_line_back(Drawn& drawn, double length_m);
-void draw_arc(Drawn& drawn, double curvature_per_m, double length_m);
+/// `turn` is the unit vector of the arc's deflection.
+void draw_arc(Drawn& drawn, double curvature_per_m, double length_m, Point turn);
 /// A clothoid whose end, as displacement in the frame of its start, and deflection's unit vector are known.
 struct Ramp {
   double curvature_per_m = 0;
@@ -34,7 +43,7 @@ struct Ramp {
   Point turn;
 };
 void draw_ramp(Drawn& drawn, const Ramp& ramp);
-/// Nothing where `deflection_rad` is 0.
-void draw_swing(Drawn& drawn, double deflection_rad, const Swings& swings);
+/// Nothing where the deflection is 0.
+void draw_swing(Drawn& drawn, const Deflection& by, const Swings& swings);
 
 }  // namespace selion

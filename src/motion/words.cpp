@@ -9,34 +9,46 @@
 
 namespace selion {
 
+Word word_of(const ThreeSwings& d) {
+  return {.swings = {deflection(d[0]), deflection(d[1]), deflection(d[2])}};
+}
+
 double length_m(const Word& word, const Swings& swings) {
   double sum = word.before_m + std::abs(word.line_m) + word.after_m;
-  for (const double deflection : word.swings_rad)
-    if (deflection != 0) sum += swings.length_m(std::abs(deflection));
+  for (const Deflection& deflection : word.swings)
+    if (deflection.rad != 0) sum += swings.length_m(std::abs(deflection.rad));
   return word.dip ? sum + length_m(*word.dip, swings.limits()) : sum;
 }
 
 void draw_word(Drawn& drawn, const Word& word, const Swings& swings) {
   draw_line(drawn, word.before_m);
-  draw_swing(drawn, word.swings_rad[0], swings);
+  draw_swing(drawn, word.swings[0], swings);
   draw_line(drawn, word.line_m);
   draw_line_back(drawn, -word.line_m);
-  draw_swing(drawn, word.swings_rad[1], swings);
-  draw_swing(drawn, word.swings_rad[2], swings);
+  draw_swing(drawn, word.swings[1], swings);
+  draw_swing(drawn, word.swings[2], swings);
   if (word.dip) draw_dip(drawn, *word.dip, swings);
   draw_line(drawn, word.after_m);
   if (drawn.path.empty()) drawn.path.push_back({{drawn.at.at, drawn.at.heading_rad, 0, 0, 0}, Gear::forward});
 }
 
-std::vector<Word> straight_words(const Pose& goal, const Swings&) {
+void straight_words(std::vector<Word>& words, const Pose& goal, const Swings&) {
   if (goal.at.x_m < -kInLine || std::abs(goal.at.y_m) > kInLine || std::abs(goal.heading_rad) > kInLine)
-    return {};
-  return {Word{.before_m = std::max(0.0, goal.at.x_m)}};
+    return;
+  words.push_back({.before_m = std::max(0.0, goal.at.x_m)});
 }
 
 bool near_for_three(const Pose& goal, const Swings& swings) {
-  const Point c = swings.centre();
-  return dot(goal.at, goal.at) <= 36 * dot(c, c);
+  return dot(goal.at, goal.at) <= 36 * swings.reach_m() * swings.reach_m();
+}
+
+void add_three_swings(std::vector<Word>& words, const Pose& goal, int side, const Swings& swings) {
+  if (!near_for_three(goal, swings)) return;
+  ThreeSwingSearch search{goal, side, swings};
+  std::vector<ThreeSwingSearch::Start> starts;
+  for (std::size_t i = 0; i < ThreeSwingSearch::kDiagonals; ++i) search.add_starts(starts, i);
+  for (const auto& start : starts)
+    if (const auto triple = search.found(start)) words.push_back(word_of(*triple));
 }
 
 }  // namespace selion

@@ -15,6 +15,8 @@ struct Dip {
   double dip_per_m = 0;
   double first_rad = 0;  ///< deflection up to the middle, as a magnitude
   double second_rad = 0;
+  Point first{1, 0};  ///< unit(first_rad)
+  Point second{1, 0};
   int side = 1;  ///< 1 for left
 };
 
@@ -25,30 +27,26 @@ using ThreeSwings = std::array<double, 3>;
 /// left out.
 struct Word {
   double before_m = 0;
-  ThreeSwings swings_rad{};
+  std::array<Deflection, 3> swings{};
   double line_m = 0;  ///< after the first swing; below 0 in reverse
   std::optional<Dip> dip = std::nullopt;
   double after_m = 0;
 };
 
+Word word_of(const ThreeSwings& swings_rad);
 double length_m(const Word& word, const Swings& swings);
 void draw_word(Drawn& drawn, const Word& word, const Swings& swings);
 
 double length_m(const Dip& dip, const CurveLimits& limits);
 void draw_dip(Drawn& drawn, const Dip& dip, const Swings& swings);
 
-// The families' words to `goal`, seen from the start.
-std::vector<Word> straight_words(const Pose& goal, const Swings& swings);
-std::vector<Word> loop_words(const Pose& goal, const Swings& swings);
-std::vector<Word> dip_words(const Pose& goal, const Swings& swings);
-std::vector<Word> flat_words(const Pose& goal, const Swings& swings);
-std::vector<Word> fishtail_words(const Pose& goal, const Swings& swings);
-
-/// Swing, straight, swing: all that reach `goal`; a side is 1 for left, -1 for right.
-std::vector<Word> swing_line_swings(const Pose& goal, int first_side, int second_side, const Swings& swings);
+/// Swing, straight, swing: adds all that reach `goal`; a side is 1 for left, -1 for right.
+void add_swing_line_swings(std::vector<Word>& words, const Pose& goal, int first_side, int second_side,
+                           const Swings& swings);
 
 /// The same, also those whose straight leads back (line_m below 0): it is driven in reverse.
-std::vector<Word> swings_on_a_line(const Pose& goal, int first_side, int second_side, const Swings& swings);
+void add_swings_on_a_line(std::vector<Word>& words, const Pose& goal, int first_side, int second_side,
+                          const Swings& swings);
 
 /// Finds three swings to a goal: the miss over a grid of the first and third deflections, a start for
 /// Newton's method wherever it may vanish on a triangle of the grid. The grid's diagonals, on which the first
@@ -86,6 +84,11 @@ class ThreeSwingSearch {
   std::array<Point, Swings::kParts + 2> third_start_;
   std::vector<ThreeSwings> known_;
 };
+
+/// Are three swings to a goal worth looking for? Farther off, a straight is shorter.
+bool near_for_three(const Pose& goal, const Swings& swings);
+/// All three swings to the goal that the search finds, the first one to `side`.
+void add_three_swings(std::vector<Word>& words, const Pose& goal, int side, const Swings& swings);
 
 /// `start` brought to the goal by Newton steps; empty if it does not get there.
 std::optional<ThreeSwings> polished(const ThreeSwings& start, const Pose& goal, const Swings& swings);

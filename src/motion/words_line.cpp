@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "direction.hpp"
 #include "offer.hpp"
 #include "root.hpp"
 #include "words.hpp"
@@ -39,10 +40,12 @@ class Line {
   struct Fit {
     double miss_m;
     double line_m;
+    Point half_u;
+    Point half_v;
   };
   /// Seen from the side to which the first swing turns, as if that were the left.
   [[nodiscard]] Fit fit(double u, double v) const {
-    const Point half_u = unit(u / 2);
+    const Point half_u = direction({u / 2, 0});
     Point half_v = turned(half_heading_, mirrored(half_u));
     if (first_side != second_side) half_v.y_m = -half_v.y_m;
     if (half_v.y_m < 0) half_v = -1 * half_v;  // v / 2 lies in [0, pi)
@@ -51,7 +54,7 @@ class Line {
     const double first_m = swings_.chord(u, half_u).length_m;
     const double second_m = swings_.chord(v, half_v).length_m;
     return {-first_m * half_u.y_m + first_side * second_side * second_m * half_v.y_m - seen.y_m,
-            seen.x_m - first_m * half_u.x_m - second_m * half_v.x_m};
+            seen.x_m - first_m * half_u.x_m - second_m * half_v.x_m, half_u, half_v};
   }
   [[nodiscard]] double miss_m(double u) const { return fit(u, second(u)).miss_m; }
 
@@ -95,8 +98,11 @@ double snapped(double angle_rad) {
 void add(std::vector<Word>& words, const Line& word, double root) {
   const double u = snapped(root);
   const double v = snapped(word.second(u));
-  const double line = word.fit(u, v).line_m;
-  words.push_back({0, {word.first_side * u, word.second_side * v, 0}, std::abs(line) < kNoLine_m ? 0 : line});
+  const Line::Fit fit = word.fit(u, v);
+  const Deflection first{word.first_side * u, {fit.half_u.x_m, word.first_side * fit.half_u.y_m}};
+  const Deflection second{word.second_side * v, {fit.half_v.x_m, word.second_side * fit.half_v.y_m}};
+  const double line_m = std::abs(fit.line_m) < kNoLine_m ? 0 : fit.line_m;
+  words.push_back({.swings = {first, second, {}}, .line_m = line_m});
 }
 
 void add_within(std::vector<Word>& words, const Line& word, const std::array<double, 2>& roots, double from,
@@ -160,13 +166,17 @@ void see_between(Scan& scan, double from, double width) {
 
 }  // namespace
 
-std::vector<Word> swing_line_swings(const Pose& goal, int first_side, int second_side, const Swings& swings) {
-  std::vector<Word> words = swings_on_a_line(goal, first_side, second_side, swings);
-  std::erase_if(words, [](const Word& word) { return word.line_m < 0; });
-  return words;
+void add_swing_line_swings(std::vector<Word>& words, const Pose& goal, int first_side, int second_side,
+                           const Swings& swings) {
+  const auto before = static_cast<std::ptrdiff_t>(words.size());
+  add_swings_on_a_line(words, goal, first_side, second_side, swings);
+  words.erase(
+      std::remove_if(words.begin() + before, words.end(), [](const Word& word) { return word.line_m < 0; }),
+      words.end());
 }
 
-std::vector<Word> swings_on_a_line(const Pose& goal, int first_side, int second_side, const Swings& swings) {
+void add_swings_on_a_line(std::vector<Word>& words, const Pose& goal, int first_side, int second_side,
+                          const Swings& swings) {
   const Line word{goal, first_side, second_side, swings};
   const double full = std::min(swings.full_rad(), kTurn);
   const double seam = whole_turns_off(first_side * goal.heading_rad);  // v = 0
@@ -175,7 +185,6 @@ std::vector<Word> swings_on_a_line(const Pose& goal, int first_side, int second_
   std::array<double, 5> bounds{0, full, seam, second_full, kTurn};
   std::sort(bounds.begin(), bounds.end());
 
-  std::vector<Word> words;
   const auto full_roots = word.full_roots();
   Scan scan{word, words};
   bool joined = false;  // the last interval was scanned too
@@ -193,7 +202,6 @@ std::vector<Word> swings_on_a_line(const Pose& goal, int first_side, int second_
     joined = true;
     see_between(scan, bounds[i - 1], width);
   }
-  return words;
 }
 
 }  // namespace selion

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "direction.hpp"
 #include "offer.hpp"
 #include "selion/core/angle.hpp"
 #include "words.hpp"
@@ -38,9 +39,9 @@ struct Miss {
 };
 
 Miss miss_of(const ThreeSwings& d, Point at_end, Point goal, const Swings& swings) {
-  const Point along1 = unit(d[0] / 2);
-  const Point half2 = unit(d[1] / 2);
-  const Point half3 = unit(d[2] / 2);
+  const Point along1 = direction({d[0] / 2, 0});
+  const Point half2 = direction({d[1] / 2, 0});
+  const Point half3 = direction({d[2] / 2, 0});
   const Chord c1 = swings.chord(d[0], along1);
   const Chord c2 = swings.chord(d[1], half2);
   const Chord c3 = swings.chord(d[2], half3);

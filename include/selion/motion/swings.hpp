@@ -43,6 +43,9 @@ class Swings {
   /// The centre of the arc, from the start of a swing to the left: ahead and to the left. Of every swing by
   /// full_rad or more.
   [[nodiscard]] Point centre() const { return centre_; }
+  /// The distance to it, and the direction that it leans by from straight left, to the right.
+  [[nodiscard]] double reach_m() const { return reach_m_; }
+  [[nodiscard]] double lean_rad() const { return lean_rad_; }
   /// The least deflection at which the curvature limit is reached.
   [[nodiscard]] double full_rad() const { return full_rad_; }
   /// unit(full_rad() / 2).
@@ -72,6 +75,8 @@ class Swings {
   Point full_half_;
   Point full_ramp_;
   Point centre_;
+  double reach_m_ = 0;
+  double lean_rad_ = 0;
   std::array<std::array<Point, kParts + 1>, kParts + 1> two_swings_{};
 };
 
