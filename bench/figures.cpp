@@ -39,6 +39,7 @@ constexpr auto kFigures = std::to_array<Figure>({
     {"U-turn, flat", "u_turn_of/flat", "", "us", -kNone, 0.5},
     {"shortest U-turn of all families, w = 2 m", "u_turn/paper/20", "", "us"},
     {"the same, w = 7.6 m", "u_turn/paper/76", "", "us"},
+    {"the same, w = 8 m", "u_turn/paper/80", "", "us"},
     {"its length at w = 2 m", "u_turn/paper/20", "length_m", "m", 25.15105, 25.15107},
     {"at w = 6 m", "u_turn/paper/60", "length_m", "m", 18.61869, 18.61871},
     {"at w = 8 m", "u_turn/paper/80", "length_m", "m", 12.63966, 12.63968},
