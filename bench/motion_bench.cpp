@@ -56,29 +56,6 @@ void first_connection(benchmark::State& state) {
 }
 BENCHMARK(first_connection)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
 
-constexpr CurveLimits kPaper{0.27,
-                             0.65};  // of Cariou et al. 2020: loop below 7.41 m, dip below 7.83 m, else flat
-
-void u_turn(benchmark::State& state) {
-  const Pose goal{{0, static_cast<double>(state.range(0)) / 10}, std::numbers::pi};
-  const Swings swings{kPaper};
-  for (auto _ : state) benchmark::DoNotOptimize(Connections{{{0, 0}, 0}, goal, swings}.next());
-}
-BENCHMARK(u_turn)->Arg(20)->Arg(60)->Arg(76)->Arg(90)->Unit(benchmark::kMicrosecond);
-
-/// One U-turn of the family that it takes, solved and drawn.
-void u_turn_of(benchmark::State& state, std::string_view name, double aside_m) {
-  const Swings swings{kPaper};
-  const Pose goal{{0, aside_m}, std::numbers::pi};
-  for (const TurnKind& kind : turns()) {
-    if (kind.name != name) continue;
-    for (auto _ : state) benchmark::DoNotOptimize(kind.candidates({{0, 0}, 0}, goal, swings));
-  }
-}
-BENCHMARK_CAPTURE(u_turn_of, loop, "loop", 3)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(u_turn_of, dip, "dip", 7.6)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(u_turn_of, flat, "flat", 9)->Unit(benchmark::kMicrosecond);
-
 void family(benchmark::State& state, TurnFamily candidates) {
   const auto goals = poses_within(10);
   const Swings swings{kRobot};
