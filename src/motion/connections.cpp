@@ -20,6 +20,7 @@ using WordFamily = std::vector<Word> (*)(const Pose& goal, const Swings& swings)
 struct Lazy {
   WordFamily words;
   double least_rad;
+  Needs needs = Needs::nothing;
 };
 
 constexpr double kHair_m = 1e-8;
@@ -27,7 +28,7 @@ constexpr std::size_t kCheap = 4;  // straight and U-turns: the first of the fam
 
 /// Between words as long as each other the one of fewer stretches stands first and stays: families overlap, a
 /// flat turn is also left, straight, left.
-std::array<Lazy, 9> families_to(const Pose& goal) {
+std::array<Lazy, 10> families_to(const Pose& goal) {
   const double left = whole_turns_off(goal.heading_rad);
   const double right = whole_turns_off(-goal.heading_rad);
   const double least = std::min(left, right);
@@ -39,7 +40,8 @@ std::array<Lazy, 9> families_to(const Pose& goal) {
            {line_words<-1, -1>, right},
            {line_words<1, -1>, least},
            {line_words<-1, 1>, least},
-           {fishtail_words, 0}}};
+           {fishtail_words, 0, Needs::reverse},
+           {pivot_words, 0, Needs::pivot}}};
 }
 
 }  // namespace
@@ -60,9 +62,8 @@ class Connections::Queue {
     apart_m_ = length_m(goal_.at);
     for (std::size_t i = 0; i < kCheap; ++i) expand({0, Step::family, i, 0});
     least_m_ = shortest_u_turn_m();
-    // The last one goes back: only for who may.
-    const std::size_t asked = families_.size() - (may_.reverse ? 0 : 1);
-    for (std::size_t i = kCheap; i < asked; ++i) push(Step::family, i, families_[i].least_rad);
+    for (std::size_t i = kCheap; i < families_.size(); ++i)
+      if (allows(may_, families_[i].needs)) push(Step::family, i, families_[i].least_rad);
     if (!near_for_three(goal_, swings_)) return;
     for (const std::size_t i : {0U, 1U}) push(Step::search, i, std::abs(goal_.heading_rad));
   }
@@ -119,7 +120,7 @@ class Connections::Queue {
   /// beyond the first flat turns, and where a swath is driven on, others may be shorter.
   [[nodiscard]] double shortest_u_turn_m() const {
     const auto turn = u_turn(goal_);
-    if (may_.reverse || !turn || turn->before_m + std::abs(turn->after_m) > 1e-9) return 0;
+    if (may_ != Manoeuvres{} || !turn || turn->before_m + std::abs(turn->after_m) > 1e-9) return 0;
     const double flat_from_m = std::numbers::sqrt2 * swings_.chord(std::numbers::pi / 2).length_m;
     const double aside_m = std::abs(turn->goal.at.y_m);
     if (aside_m > flat_from_m && aside_m < 1.5 * flat_from_m) return 0;
@@ -209,7 +210,7 @@ class Connections::Queue {
   Pose goal_;
   double apart_m_ = 0;
   double least_m_ = 0;  // of the families that are not cheap, where that is known
-  std::array<Lazy, 9> families_;
+  std::array<Lazy, 10> families_;
   std::array<std::optional<ThreeSwingSearch>, 2> searches_;
   std::array<std::size_t, 2> ranks_{};  // of the next diagonal of each search
   std::vector<Entry> entries_;

@@ -159,7 +159,24 @@ class Walk {
   Point along_;
 };
 
+/// The whole circle at once where nothing is near; else from stand to stand.
+bool clear_around(const FreeSpace& space, const Footprint& f, const Stretch& pivot) {
+  const Pose from = vehicle_pose(pivot, 0);
+  if (space.far_from_border(from.at)) return true;
+  const double step_rad = std::sqrt(8 * kStray_m / reach_m(f));
+  const int steps = static_cast<int>(std::ceil(std::abs(pivot.pivot_rad) / step_rad));
+  Stand before{from};
+  if (!clear_at(space, f, before)) return false;
+  for (int i = 1; i <= steps; ++i) {
+    const Stand after{{from.at, from.heading_rad + pivot.pivot_rad * i / steps}};
+    if (!clear_between(space, f, before, after)) return false;
+    before = after;
+  }
+  return true;
+}
+
 bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
+  if (is_pivot(stretch)) return clear_around(space, f, stretch);
   if (straight(stretch.curve)) return clear_along_line(space, f, stretch);
   const double length = stretch.curve.length_m;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / curve_step_m(f, stretch.curve))));
@@ -244,7 +261,8 @@ class Strip {
   }
 
  private:
-  static constexpr double kMostTurned = -0.5;  // cosine of 120 degrees: turned less, a strip cannot meet itself
+  static constexpr double kMostTurned =
+      -0.5;  // cosine of 120 degrees: turned less, a strip cannot meet itself
 
   std::vector<Ring>& into_;
   Ring right_;
@@ -258,11 +276,11 @@ std::vector<Ring> swept_by_tool(const Footprint& f, const Path& path) {
   std::vector<Ring> swept;
   Strip strip{swept};
   for (const Stretch& stretch : path) {
+    if (is_pivot(stretch)) continue;  // the tool is up
     const double length = stretch.curve.length_m;
-    const int steps =
-        straight(stretch.curve)
-            ? 1
-            : std::max(1, static_cast<int>(std::ceil(length / sweep_step_m(f, stretch.curve))));
+    const int steps = straight(stretch.curve)
+                          ? 1
+                          : std::max(1, static_cast<int>(std::ceil(length / sweep_step_m(f, stretch.curve))));
     Walk walk{stretch, steps};
     Stand before = walk.here();
     for (int i = 1; i <= steps; ++i) {

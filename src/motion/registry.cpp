@@ -24,6 +24,7 @@ constexpr auto kTurns = std::to_array<TurnKind>({
     {"flat", "quarter turn, straight, quarter turn, to a swath further off", Needs::nothing,
      drawn<flat_words>},
     {"fishtail", "ahead in a turn, straight back, ahead in a turn", Needs::reverse, drawn<fishtail_words>},
+    {"pivot", "rotate on the spot, straight, rotate on the spot", Needs::pivot, drawn<pivot_words>},
     {"lsl", "left, straight, left", Needs::nothing, drawn<line_words<1, 1>>},
     {"rsr", "right, straight, right", Needs::nothing, drawn<line_words<-1, -1>>},
     {"lsr", "left, straight, right", Needs::nothing, drawn<line_words<1, -1>>},
@@ -33,6 +34,14 @@ constexpr auto kTurns = std::to_array<TurnKind>({
 });
 
 }  // namespace
+
+Manoeuvres manoeuvres_of(const Machine& machine) {
+  return {machine.may_reverse, machine.may_pivot && machine.kind == MachineKind::differential};
+}
+
+bool allows(const Manoeuvres& may, Needs needs) {
+  return needs == Needs::nothing || (needs == Needs::reverse ? may.reverse : may.pivot);
+}
 
 std::span<const TurnKind> turns() { return kTurns; }
 

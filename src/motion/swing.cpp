@@ -116,6 +116,13 @@ void draw_line_back(Drawn& drawn, double length_m) {
   drawn.at.at = drawn.at.at - length_m * drawn.ahead;
 }
 
+void draw_pivot(Drawn& drawn, double angle_rad) {
+  if (angle_rad == 0) return;
+  drawn.path.push_back({{drawn.at.at, drawn.at.heading_rad, 0, 0, 0}, Gear::forward, angle_rad});
+  drawn.at.heading_rad += angle_rad;
+  drawn.ahead = turned(drawn.ahead, unit(angle_rad));
+}
+
 void draw_arc(Drawn& drawn, double curvature_per_m, double length_m) {
   if (!(length_m > 0)) return;
   const double half = curvature_per_m * length_m / 2;

@@ -34,6 +34,8 @@ struct Ramp {
   Point turn;
 };
 void draw_ramp(Drawn& drawn, const Ramp& ramp);
+/// A rotation on the spot; nothing where `angle_rad` is 0.
+void draw_pivot(Drawn& drawn, double angle_rad);
 /// Nothing where `deflection_rad` is 0.
 void draw_swing(Drawn& drawn, double deflection_rad, const Swings& swings);
 

@@ -21,14 +21,22 @@ struct Dip {
 /// Three swings in turn to one side, to the other and to the first again; signed.
 using ThreeSwings = std::array<double, 3>;
 
-/// A way not yet drawn: a straight, a swing, a straight, two swings or a dip, a straight. What is 0 is
-/// left out.
+/// A rotation on the spot, a straight, another rotation.
+struct Pivots {
+  double first_rad = 0;
+  double line_m = 0;
+  double second_rad = 0;
+};
+
+/// A way not yet drawn: a straight, a swing, a straight, two swings or a dip or pivots, a straight. What is 0
+/// is left out.
 struct Word {
   double before_m = 0;
   ThreeSwings swings_rad{};
   double line_m = 0;  ///< after the first swing; below 0 in reverse
   std::optional<Dip> dip = std::nullopt;
   double after_m = 0;
+  std::optional<Pivots> pivots = std::nullopt;  ///< before the last straight
 };
 
 double length_m(const Word& word, const Swings& swings);
@@ -43,6 +51,7 @@ std::vector<Word> loop_words(const Pose& goal, const Swings& swings);
 std::vector<Word> dip_words(const Pose& goal, const Swings& swings);
 std::vector<Word> flat_words(const Pose& goal, const Swings& swings);
 std::vector<Word> fishtail_words(const Pose& goal, const Swings& swings);
+std::vector<Word> pivot_words(const Pose& goal, const Swings& swings);
 
 /// Swing, straight, swing: all that reach `goal`; a side is 1 for left, -1 for right.
 std::vector<Word> swing_line_swings(const Pose& goal, int first_side, int second_side, const Swings& swings);

@@ -17,7 +17,8 @@ constexpr double kFarRound = 3;  // a way this many turns long is worth a search
 /// Without stretches that are nothing but rounding.
 Path without_crumbs(Path path) {
   constexpr double kCrumb_m = 5e-7;  // half of what joints may miss
-  std::erase_if(path, [](const Stretch& stretch) { return stretch.curve.length_m < kCrumb_m; });
+  std::erase_if(
+      path, [](const Stretch& stretch) { return stretch.curve.length_m < kCrumb_m && !is_pivot(stretch); });
   return path;
 }
 
