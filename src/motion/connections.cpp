@@ -28,7 +28,7 @@ constexpr std::size_t kCheap = 4;  // straight and U-turns: the first of the fam
 
 /// Between words as long as each other the one of fewer stretches stands first and stays: families overlap, a
 /// flat turn is also left, straight, left.
-std::array<Lazy, 10> families_to(const Pose& goal) {
+std::array<Lazy, 11> families_to(const Pose& goal) {
   const double left = whole_turns_off(goal.heading_rad);
   const double right = whole_turns_off(-goal.heading_rad);
   const double least = std::min(left, right);
@@ -41,6 +41,7 @@ std::array<Lazy, 10> families_to(const Pose& goal) {
            {line_words<1, -1>, least},
            {line_words<-1, 1>, least},
            {fishtail_words, 0, Needs::reverse},
+           {cusp_words, 0, Needs::reverse},
            {pivot_words, 0, Needs::pivot}}};
 }
 
@@ -210,7 +211,7 @@ class Connections::Queue {
   Pose goal_;
   double apart_m_ = 0;
   double least_m_ = 0;  // of the families that are not cheap, where that is known
-  std::array<Lazy, 10> families_;
+  std::array<Lazy, 11> families_;
   std::array<std::optional<ThreeSwingSearch>, 2> searches_;
   std::array<std::size_t, 2> ranks_{};  // of the next diagonal of each search
   std::vector<Entry> entries_;

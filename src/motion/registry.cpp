@@ -24,6 +24,7 @@ constexpr auto kTurns = std::to_array<TurnKind>({
     {"flat", "quarter turn, straight, quarter turn, to a swath further off", Needs::nothing,
      drawn<flat_words>},
     {"fishtail", "ahead in a turn, straight back, ahead in a turn", Needs::reverse, drawn<fishtail_words>},
+    {"cusps", "a fishtail whose wheels are steered while it stands", Needs::reverse, drawn<cusp_words>},
     {"pivot", "rotate on the spot, straight, rotate on the spot", Needs::pivot, drawn<pivot_words>},
     {"lsl", "left, straight, left", Needs::nothing, drawn<line_words<1, 1>>},
     {"rsr", "right, straight, right", Needs::nothing, drawn<line_words<-1, -1>>},

@@ -25,6 +25,7 @@ struct Drawn {
 void draw_line(Drawn& drawn, double length_m);
 void draw_line_back(Drawn& drawn, double length_m);
 void draw_arc(Drawn& drawn, double curvature_per_m, double length_m);
+void draw_arc_back(Drawn& drawn, double curvature_per_m, double length_m);
 /// A clothoid whose end, as displacement in the frame of its start, and deflection's unit vector are known.
 struct Ramp {
   double curvature_per_m = 0;

@@ -14,6 +14,7 @@ double length_m(const Word& word, const Swings& swings) {
   for (const double deflection : word.swings_rad)
     if (deflection != 0) sum += swings.length_m(std::abs(deflection));
   if (word.pivots) sum += word.pivots->line_m;
+  if (word.cusps) sum += length_m(*word.cusps, swings.limits());
   return word.dip ? sum + length_m(*word.dip, swings.limits()) : sum;
 }
 
@@ -30,6 +31,7 @@ void draw_word(Drawn& drawn, const Word& word, const Swings& swings) {
     draw_line(drawn, word.pivots->line_m);
     draw_pivot(drawn, word.pivots->second_rad);
   }
+  if (word.cusps) draw_cusps(drawn, *word.cusps, swings);
   draw_line(drawn, word.after_m);
   if (drawn.path.empty()) drawn.path.push_back({{drawn.at.at, drawn.at.heading_rad, 0, 0, 0}, Gear::forward});
 }

@@ -28,15 +28,28 @@ struct Pivots {
   double second_rad = 0;
 };
 
-/// A way not yet drawn: a straight, a swing, a straight, two swings or a dip or pivots, a straight. What is 0
-/// is left out.
+/// A fishtail whose wheels are steered while it stands: half a swing, to the arc of the curvature limit;
+/// back, on an arc that turns on to the same side or on a straight; half a swing from that arc on.
+/// Magnitudes.
+struct Cusps {
+  double first_rad = 0;
+  double back_per_m = 0;
+  double back_m = 0;
+  double last_rad = 0;
+  int side = 1;  ///< 1 for left
+};
+
+/// A way not yet drawn: a straight, a swing, a straight, two swings or a dip, pivots or
+/// cusps, a straight. What is 0 is
+/// left out.
 struct Word {
   double before_m = 0;
   ThreeSwings swings_rad{};
   double line_m = 0;  ///< after the first swing; below 0 in reverse
   std::optional<Dip> dip = std::nullopt;
   double after_m = 0;
-  std::optional<Pivots> pivots = std::nullopt;  ///< before the last straight
+  std::optional<Pivots> pivots = std::nullopt;  ///< before the last straight, as cusps are
+  std::optional<Cusps> cusps = std::nullopt;
 };
 
 double length_m(const Word& word, const Swings& swings);
@@ -45,12 +58,16 @@ void draw_word(Drawn& drawn, const Word& word, const Swings& swings);
 double length_m(const Dip& dip, const CurveLimits& limits);
 void draw_dip(Drawn& drawn, const Dip& dip, const Swings& swings);
 
+double length_m(const Cusps& cusps, const CurveLimits& limits);
+void draw_cusps(Drawn& drawn, const Cusps& cusps, const Swings& swings);
+
 // The families' words to `goal`, seen from the start.
 std::vector<Word> straight_words(const Pose& goal, const Swings& swings);
 std::vector<Word> loop_words(const Pose& goal, const Swings& swings);
 std::vector<Word> dip_words(const Pose& goal, const Swings& swings);
 std::vector<Word> flat_words(const Pose& goal, const Swings& swings);
 std::vector<Word> fishtail_words(const Pose& goal, const Swings& swings);
+std::vector<Word> cusp_words(const Pose& goal, const Swings& swings);
 std::vector<Word> pivot_words(const Pose& goal, const Swings& swings);
 
 /// Swing, straight, swing: all that reach `goal`; a side is 1 for left, -1 for right.

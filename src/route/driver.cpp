@@ -7,6 +7,7 @@
 
 #include "retreats.hpp"
 #include "selion/motion/dubins.hpp"
+#include "selion/motion/timed_turn.hpp"
 
 namespace selion {
 namespace {
@@ -34,7 +35,8 @@ Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
                limits_at(machine, machine.turn_speed_mps),
                Swings{limits_at(machine, machine.turn_speed_mps)},
                machine.may_reverse,
-               mainland_} {}
+               mainland_,
+               machine} {}
 
 /// Built when a way over them is first asked for: most fields need none.
 Roads& Driver::roads() {
@@ -50,6 +52,11 @@ const Swings& Driver::swings(double wider) {
   const CurveLimits& limits = terrain_.limits;
   const CurveLimits gentle{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)};
   return wider_.emplace(wider, Swings{gentle}).first->second;
+}
+
+/// The same turns with sharper clothoids.
+const Swings& Driver::slower_swings(double speed_mps) {
+  return slower_.try_emplace(speed_mps, limits_at(machine_, speed_mps)).first->second;
 }
 
 /// Beyond this a way is a transfer.
@@ -92,8 +99,8 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals
   return best;
 }
 
-/// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane at
-/// the border swings out over it.
+/// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane
+/// at the border swings out over it.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals) {
   std::optional<Approach> best;
   for (const double wider : {1.0, 2.0, 4.0, 8.0}) {
@@ -104,14 +111,24 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Pose>& goals
   return best;
 }
 
+/// At the highest speed below turn speed at which a turn needs no more room than there is.
+std::optional<Driver::Approach> Driver::turn_slowly_into(const std::vector<Pose>& goals) {
+  for (const double speed : turn_speeds(machine_)) {
+    if (speed >= machine_.turn_speed_mps) continue;
+    auto turn = turn_into(goals, slower_swings(speed));
+    if (turn && turn->cost_m <= longest_turn_m()) return turn;
+  }
+  return std::nullopt;
+}
+
 std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const {
   if (!arrival) return std::nullopt;
   const double cost = cost_m(terrain_, arrival->way);
   return Approach{arrival->goal, std::move(arrival->way), cost};
 }
 
-/// The cheapest of: one turn; where that is a long one, the roads; where these lead far round or nowhere, a
-/// search.
+/// The cheapest of: one turn; where that is a long one, the roads; where these lead a long way too, a turn at
+/// lower speed; where they lead far round or nowhere, a search.
 std::optional<Driver::Approach> Driver::approach(const std::vector<Pose>& goals) {
   std::optional<Approach> best = turn_into(goals);
   const auto keep_cheaper = [&best](std::optional<Approach> other) {
@@ -119,6 +136,7 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Pose>& goals)
   };
   if (!best || best->cost_m > longest_turn_m()) keep_cheaper(by(roads().way(*here_, goals, ways_back())));
   const bool close = far_m(here_, goals.front()) < longest_turn_m();
+  if (close && (!best || best->cost_m > longest_turn_m())) keep_cheaper(turn_slowly_into(goals));
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
     if (auto found = searched(terrain_, {*here_}, goals)) keep_cheaper(by(std::move(found->arrival)));
   return best;

@@ -43,9 +43,10 @@ class Driver {
 
   [[nodiscard]] std::optional<Approach> approach(const std::vector<Pose>& goals);
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals);
-  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals,
-                                                  const Swings& swings) const;
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Pose>& goals, const Swings& swings) const;
+  [[nodiscard]] std::optional<Approach> turn_slowly_into(const std::vector<Pose>& goals);
   [[nodiscard]] const Swings& swings(double wider);
+  [[nodiscard]] const Swings& slower_swings(double speed_mps);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
   void work(const Task& task, const Path& way, const Path& work);
@@ -60,6 +61,7 @@ class Driver {
   Terrain terrain_;
   std::optional<Roads> roads_;
   std::map<double, Swings> wider_;
+  std::map<double, Swings> slower_;
   std::optional<Pose> here_;
   std::vector<RoutePiece> driven_;
 };
