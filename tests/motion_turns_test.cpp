@@ -145,7 +145,9 @@ TEST_CASE("every candidate of every family meets the poses and keeps the limits"
     }
   }
   CHECK(wrong == 0);
-  CHECK(offered > 0);
+  // Half a swing must reach the curvature limit to stop there.
+  const bool may_lack = kind.name == "cusps" && swings.full_rad() / 2 > kPi;
+  CHECK((offered > 0 || may_lack));
 }
 
 TEST_CASE("any two poses are connected, shortest first, never shorter than Dubins", "[motion][turns]") {
@@ -457,9 +459,13 @@ TEST_CASE("only who may reverse is shown fishtails, and they are shallower than 
     CAPTURE(aside);
     CHECK(reverses(first));
     CHECK(is_sound(first, pair, kPaper));
+    CHECK(depth_m(first) < 0.6 * depth_m(loop));
+    // Steered while standing at the limit to either side: half a turn on arcs, half a clothoid at either end.
+    const double k = kPaper.curvature_per_m;
+    CHECK(shortest_m("cusps", aside) == Approx(kPi / k + k / kPaper.sharpness_per_m2));
+    CHECK(length_m(first) == Approx(shortest_m("cusps", aside)));
     // Quarter turns, and back by what they are too wide: 2 (a + b) - w.
     const double flat_from_m = std::numbers::sqrt2 * swings.chord(kPi / 2).length_m;
-    CHECK(length_m(first) == Approx(2 * swings.length_m(kPi / 2) + flat_from_m - aside));
-    CHECK(depth_m(first) < 0.6 * depth_m(loop));
+    CHECK(shortest_m("fishtail", aside) == Approx(2 * swings.length_m(kPi / 2) + flat_from_m - aside));
   }
 }

@@ -30,6 +30,8 @@ BlockReport planned_block() {
   block.transfer_s = 300;
   block.turns = 59;
   block.transfers = 4;
+  block.pivots = 2;
+  block.scrub_m = 1.5;
   return block;
 }
 

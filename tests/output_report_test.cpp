@@ -72,6 +72,8 @@ TEST_CASE("the total adds the blocks up", "[output][report]") {
   CHECK(total["swaths"]["longest_m"] == 378.12);
   CHECK(total["distance"]["total_m"] == 31'500);
   CHECK(total["distance"]["reverse_m"] == 40);
+  CHECK(total["distance"]["scrub_m"] == 1.5);
+  CHECK(total["pivots"] == 2);
   CHECK(total["time"]["total_s"] == 21'300);
 }
 

@@ -105,6 +105,7 @@ class Check {
   std::vector<std::string> run() {
     for (const TrajectoryRecord& t : plan_.file.trajectories) {
       joints(t);
+      pivots(t);
       limits(t);
       inside(t);
       times(t);
@@ -120,6 +121,8 @@ class Check {
     if (faults_.size() < 20) faults_.push_back(text);
   }
 
+  [[nodiscard]] static bool stands(const PieceRecord& p) { return p.kind == "wait" || p.kind == "pivot"; }
+
   void joints(const TrajectoryRecord& t) {
     for (std::size_t i = 1; i < t.pieces.size(); ++i) {
       const PieceRecord& a = t.pieces[i - 1];
@@ -127,9 +130,10 @@ class Check {
       const State end = state_of(a, a.length_m);
       if (distance_m(end.at, {b.x_m, b.y_m}) > 1e-6)
         say(place(t, i) + "starts off the end of the one before");
-      const double turn = end.heading_rad - b.heading_rad + (a.gear == b.gear ? 0 : std::acos(-1.0));
+      const double turn = end.heading_rad + a.angle_rad.value_or(0) - b.heading_rad +
+                          (a.gear == b.gear ? 0 : std::acos(-1.0));
       if (std::abs(std::remainder(turn, 2 * std::acos(-1.0))) > 1e-6) say(place(t, i) + "heading jumps");
-      const bool rest = a.gear != b.gear || a.kind == "wait" || b.kind == "wait";
+      const bool rest = a.gear != b.gear || stands(a) || stands(b);
       if (!rest && std::abs(end.curvature_per_m - b.curvature_per_m) > 1e-6)
         say(place(t, i) + "curvature jumps");
     }
@@ -144,16 +148,70 @@ class Check {
     }
   }
 
-  /// Body corners and tool ends every 0.1 m on curves and 2 m on lines, by the block's own area.
+  void pivots(const TrajectoryRecord& t) {
+    const Projection projection{plan_.file.proj};
+    std::vector<Point> at;
+    for (const LonLat lonlat : t.line) at.push_back(projection(lonlat));
+    std::size_t sample = 0;
+    for (std::size_t i = 0; i < t.pieces.size(); ++i) {
+      const PieceRecord& p = t.pieces[i];
+      if (p.kind != "pivot") {
+        if (p.angle_rad) say(place(t, i) + "has an angle");
+        continue;
+      }
+      if (!p.angle_rad || !p.duration_s) {
+        say(place(t, i) + "has no angle or time");
+        continue;
+      }
+      if (machine_.kind != MachineKind::differential || !machine_.may_pivot)
+        say(place(t, i) + "the machine may not pivot");
+      if (p.length_m != 0 || p.tool != 0) say(place(t, i) + "moves on or has its tool down");
+      if (*p.duration_s < least_pivot_s(*p.angle_rad) - 1e-4) say(place(t, i) + "rotates too fast");
+      if (!rotates(t, at, p, sample)) say(place(t, i) + "the samples do not rotate with it");
+    }
+  }
+
+  /// The wheels of both sides from rest to rest over their way.
+  [[nodiscard]] double least_pivot_s(double angle_rad) const {
+    const double way = std::abs(angle_rad) * machine_.track_m / 2;
+    const double slow = 1 / machine_.max_accel_mps2 + 1 / machine_.max_brake_mps2;
+    const double speed = machine_.turn_speed_mps;
+    return way < speed * speed * slow / 2 ? std::sqrt(2 * way * slow) : way / speed + speed * slow / 2;
+  }
+
+  /// From `sample` on, one that stands there with the heading before, and one with that after, as much later
+  /// as the piece says.
+  [[nodiscard]] static bool rotates(const TrajectoryRecord& t, const std::vector<Point>& at,
+                                    const PieceRecord& p, std::size_t& sample) {
+    const auto stands_at = [&](std::size_t i, double heading) {
+      const double points = heading + (p.gear > 0 ? 0 : std::acos(-1.0));
+      const double off = std::remainder(t.heading_rad[i] - points, 2 * std::acos(-1.0));
+      return std::abs(off) < 1e-6 && t.speed_mps[i] == 0 && distance_m(at[i], {p.x_m, p.y_m}) < 2e-3;
+    };
+    for (std::size_t from = sample; from < at.size(); ++from) {
+      if (!stands_at(from, p.heading_rad)) continue;
+      for (std::size_t to = from + 1; to < at.size() && t.t_s[to] - t.t_s[from] < *p.duration_s + 2e-4; ++to)
+        if (t.t_s[to] - t.t_s[from] > *p.duration_s - 2e-4 && stands_at(to, p.heading_rad + *p.angle_rad)) {
+          sample = to;
+          return true;
+        }
+    }
+    return false;
+  }
+
+  /// Body corners and tool ends every degree of a pivot, every 0.1 m on curves and 2 m on lines, by the
+  /// block's own area.
   void inside(const TrajectoryRecord& t) {
     const Area& area = areas_.at(static_cast<std::size_t>(t.block) - 1);
     for (std::size_t i = 0; i < t.pieces.size(); ++i) {
       const PieceRecord& p = t.pieces[i];
       const double step = p.curvature_per_m == 0 && p.sharpness_per_m2 == 0 ? 2.0 : 0.1;
-      const int steps = std::max(1, static_cast<int>(std::ceil(p.length_m / step)));
+      const double angle = p.angle_rad.value_or(0);
+      const int steps = std::max(
+          {1, static_cast<int>(std::ceil(p.length_m / step)), static_cast<int>(std::abs(angle) * 57)});
       for (int k = 0; k <= steps; ++k) {
         const State s = state_of(p, p.length_m * k / steps);
-        const Pose pose{s.at, s.heading_rad + (p.gear > 0 ? 0 : std::acos(-1.0))};
+        const Pose pose{s.at, s.heading_rad + angle * k / steps + (p.gear > 0 ? 0 : std::acos(-1.0))};
         if (!area.holds(s.at)) return say(place(t, i) + "the path leaves the field");
         const double out_m = outside_m(area, pose);
         if (out_m > kInside_m)
@@ -264,7 +322,7 @@ class Check {
   [[nodiscard]] static double slack_of(const TrajectoryRecord& t, std::size_t i) {
     constexpr double kQuick_m = 5e-4;
     for (std::size_t k = i == 0 ? 0 : i - 1; k < t.pieces.size() && k <= i + 1; ++k)
-      if (t.pieces[k].length_m < kQuick_m && t.pieces[k].kind != "wait") return 1 + 2e-4;
+      if (t.pieces[k].length_m < kQuick_m && !stands(t.pieces[k])) return 1 + 2e-4;
     return kSlack;
   }
 

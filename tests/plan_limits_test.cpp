@@ -21,13 +21,16 @@ Field paper_field(const std::string& name) {
       .at(0);
 }
 
-/// What the records of a drive without waits tell.
+/// What the records of a drive tell.
 std::vector<Leg> legs_of(const TrajectoryRecord& trajectory, const Machine& machine) {
   std::vector<Leg> legs;
   for (const PieceRecord& p : trajectory.pieces) {
     const Curve curve{{p.x_m, p.y_m}, p.heading_rad, p.curvature_per_m, p.sharpness_per_m2, p.length_m};
     const double cap = p.tool == 1 ? machine.work_speed_mps : turn_cap_mps(machine, curve);
-    legs.push_back({{curve, p.gear > 0 ? Gear::forward : Gear::reverse}, cap, p.tool == 1, 0});
+    legs.push_back({{curve, p.gear > 0 ? Gear::forward : Gear::reverse, p.angle_rad.value_or(0)},
+                    cap,
+                    p.tool == 1,
+                    p.duration_s.value_or(0)});
   }
   return legs;
 }

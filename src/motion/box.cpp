@@ -63,8 +63,8 @@ Box box_of(const Curve& curve) {
 std::optional<Box> box_of(const Path& path) {
   if (path.empty()) return std::nullopt;
   Box box = box_of(path.front().curve);
-  for (const auto& [curve, gear] : path) {
-    const Box more = box_of(curve);
+  for (const Stretch& stretch : path) {
+    const Box more = box_of(stretch.curve);
     include(box, more.low);
     include(box, more.high);
   }

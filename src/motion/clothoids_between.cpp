@@ -141,7 +141,8 @@ std::optional<Three> clothoids_between(const BentPose& from, const BentPose& to)
 
 CurveLimits largest_bend(const Path& path) {
   CurveLimits largest;
-  for (const auto& [curve, gear] : path) {
+  for (const Stretch& stretch : path) {
+    const Curve& curve = stretch.curve;
     const double end = curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m;
     largest.curvature_per_m =
         std::max({largest.curvature_per_m, std::abs(curve.curvature_per_m), std::abs(end)});

@@ -20,7 +20,7 @@ constexpr double kHair_m = 1e-8;
 double least_rad(Asked asked, double heading_rad) {
   if (asked == Asked::by_lefts) return whole_turns_off(heading_rad);
   if (asked == Asked::by_rights) return whole_turns_off(-heading_rad);
-  return asked == Asked::when_reversing ? 0 : std::abs(heading_rad);
+  return asked == Asked::when_reversing || asked == Asked::when_pivoting ? 0 : std::abs(heading_rad);
 }
 
 bool goes_by_steps(Asked asked) { return asked == Asked::step_by_step || asked == Asked::step_by_step_right; }
@@ -80,7 +80,7 @@ class Connections::Queue {
   }
 
   void push_family(std::size_t index, Asked asked) {
-    if (asked == Asked::first || (asked == Asked::when_reversing && !may_.reverse)) return;
+    if (asked == Asked::first || !allows(may_, families()[index].kind.needs)) return;
     const double least = least_rad(asked, view_.goal.heading_rad);
     if (!goes_by_steps(asked))
       push(Step::family, index, least);
@@ -104,7 +104,7 @@ class Connections::Queue {
   /// beyond the first flat turns, and where a swath is driven on, others may be shorter.
   [[nodiscard]] double shortest_u_turn_m() const {
     const auto turn = u_turn(view_.goal);
-    if (may_.reverse || !turn || turn->before_m + std::abs(turn->after_m) > 1e-9) return 0;
+    if (may_ != Manoeuvres{} || !turn || turn->before_m + std::abs(turn->after_m) > 1e-9) return 0;
     const double flat_from_m = std::numbers::sqrt2 * swings_.chord(std::numbers::pi / 2).length_m;
     const double aside_m = std::abs(turn->goal.at.y_m);
     if (aside_m > flat_from_m && aside_m < 1.5 * flat_from_m) return 0;

@@ -19,6 +19,7 @@ enum class Asked {
   by_rights,       ///< the same to the right
   by_sides,        ///< the same to either side
   when_reversing,  ///< only for machines that may
+  when_pivoting,   ///< the same
   step_by_step,    ///< by a search of its own, for three swings: the first one to the left
   step_by_step_right,
 };
@@ -37,6 +38,8 @@ void loop_words(std::vector<Word>& words, const Pose& goal, const Swings& swings
 void dip_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
 void flat_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
 void fishtail_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+void cusp_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
+void pivot_words(std::vector<Word>& words, const Pose& goal, const Swings& swings);
 
 /// Swing, straight, swing to the sides given.
 template <int First, int Second>

@@ -167,7 +167,24 @@ class Walk {
   Point more_;  ///< what that turn grows by
 };
 
+/// The whole circle at once where nothing is near; else from stand to stand.
+bool clear_around(const FreeSpace& space, const Footprint& f, const Stretch& pivot) {
+  const Pose from = vehicle_pose(pivot, 0);
+  if (space.far_from_border(from.at)) return true;
+  const double step_rad = std::sqrt(8 * kStray_m / reach_m(f));
+  const int steps = static_cast<int>(std::ceil(std::abs(pivot.pivot_rad) / step_rad));
+  Stand before{from};
+  if (!clear_at(space, f, before)) return false;
+  for (int i = 1; i <= steps; ++i) {
+    const Stand after{{from.at, from.heading_rad + pivot.pivot_rad * i / steps}};
+    if (!clear_between(space, f, before, after)) return false;
+    before = after;
+  }
+  return true;
+}
+
 bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
+  if (is_pivot(stretch)) return clear_around(space, f, stretch);
   if (straight(stretch.curve)) return clear_along_line(space, f, stretch);
   const double length = stretch.curve.length_m;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / curve_step_m(f, stretch.curve))));
@@ -234,7 +251,8 @@ class Strip {
       into_.push_back(convex_hull({corners.begin(), corners.end()}));
       return;
     }
-    if (!right_.empty() && distance_m(right_.back(), corners[0]) > kJoint_m) end();  // turned about on the spot
+    if (!right_.empty() && distance_m(right_.back(), corners[0]) > kJoint_m)
+      end();  // turned about on the spot
     if (right_.empty()) {
       right_.push_back(corners[0]);
       left_.push_back(corners[3]);
@@ -270,6 +288,7 @@ std::vector<Ring> swept_by_tool(const Footprint& f, const Path& path) {
   std::vector<Ring> swept;
   Strip strip{swept};
   for (const Stretch& stretch : path) {
+    if (is_pivot(stretch)) continue;  // the tool is up
     const double length = stretch.curve.length_m;
     const int steps = straight(stretch.curve)
                           ? 1

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "selion/core/units.hpp"
+#include "selion/motion/standing.hpp"
 
 namespace selion {
 namespace {
@@ -78,11 +79,24 @@ void add(LimitUse& use, const Run& run, const Leg& leg, const Machine& machine) 
   raise(use.braking, run, 0, -run.gain / 2 / machine.max_brake_mps2);
 }
 
+/// A pivot in less time than pivot_s() is that pivot with every speed so much higher.
+void add_pivot(LimitUse& use, std::size_t index, const Leg& leg, const Machine& machine) {
+  const Pivot pivot = pivot_of(machine, leg.stretch.pivot_rad);
+  const double faster = pivot.time_s() / leg.wait_s;
+  const double peak_mps = pivot.gain_s * machine.max_accel_mps2;
+  const Run run{.leg = index};
+  raise(use.speed, run, 0, faster * peak_mps / machine.turn_speed_mps);
+  raise(use.acceleration, run, 0, faster * faster);
+  raise(use.braking, run, 0, faster * faster);
+}
+
 }  // namespace
 
 LimitUse limit_use(std::span<const Leg> legs, std::span<const Sample> samples, const Machine& machine) {
   constexpr double kNoLeg_m = 1e-6;
   LimitUse use;
+  for (std::size_t i = 0; i < legs.size(); ++i)
+    if (is_pivot(legs[i].stretch)) add_pivot(use, i, legs[i], machine);
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const Sample& from = samples[i - 1];
     const Sample& to = samples[i];

@@ -127,7 +127,8 @@ std::optional<Nearest> nearest_on(const Path& path, Point place) {
   std::optional<Nearest> nearest;
   double within = std::numeric_limits<double>::infinity();
   double begun = 0;
-  for (const auto& [curve, gear] : path) {
+  for (const Stretch& stretch : path) {
+    const Curve& curve = stretch.curve;
     const double closest = std::max(0.0, distance_m(curve.start, place) - curve.length_m);
     if (closest * closest / 2 < within) {
       Search search{curve, place, within};

@@ -47,12 +47,22 @@ Pose vehicle_pose(const Stretch& stretch, double s_m) {
 
 Pose start_pose(const Path& path) { return vehicle_pose(path.front(), 0); }
 
-Pose end_pose(const Path& path) { return vehicle_pose(path.back(), path.back().curve.length_m); }
+Pose end_pose(const Stretch& stretch) {
+  Pose pose = vehicle_pose(stretch, stretch.curve.length_m);
+  pose.heading_rad += stretch.pivot_rad;
+  return pose;
+}
+
+Pose end_pose(const Path& path) { return end_pose(path.back()); }
 
 Path backed(const Path& path) {
   Path back;
   back.reserve(path.size());
-  for (std::size_t i = path.size(); i-- > 0;) back.push_back({reversed(path[i].curve), other(path[i].gear)});
+  for (std::size_t i = path.size(); i-- > 0;) {
+    Curve curve = reversed(path[i].curve);
+    curve.heading_rad += path[i].pivot_rad;
+    back.push_back({curve, other(path[i].gear), -path[i].pivot_rad});
+  }
   return back;
 }
 
@@ -65,7 +75,8 @@ std::vector<Pose> poses(const Path& path, double step_m) {
   for (const Stretch& stretch : path) {
     const double length = stretch.curve.length_m;
     const int parts = std::max(1, static_cast<int>(std::ceil(length / step_m)));
-    for (int i = 1; i <= parts; ++i) all.push_back(vehicle_pose(stretch, length * i / parts));
+    for (int i = 1; i < parts; ++i) all.push_back(vehicle_pose(stretch, length * i / parts));
+    all.push_back(end_pose(stretch));
   }
   return all;
 }
@@ -75,12 +86,12 @@ Gaps gaps(const Path& path) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Stretch& next = path[i];
     const Stretch& last = path[i - 1];
-    const Pose arrived = vehicle_pose(last, last.curve.length_m);
+    const Pose arrived = end_pose(last);
     const Pose leaving = vehicle_pose(next, 0);
     largest.position_m = std::max(largest.position_m, distance_m(arrived.at, leaving.at));
     largest.heading_rad =
         std::max(largest.heading_rad, std::abs(wrapped(leaving.heading_rad - arrived.heading_rad)));
-    if (last.gear != next.gear) continue;
+    if (last.gear != next.gear || is_pivot(last) || is_pivot(next)) continue;
     const double step = next.curve.curvature_per_m - end_of(last.curve).curvature_per_m;
     largest.curvature_per_m = std::max(largest.curvature_per_m, std::abs(step));
   }

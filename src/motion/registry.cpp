@@ -25,7 +25,9 @@ std::vector<Path> drawn(const Pose& from, const Pose& to, const Swings& swings) 
 
 template <WordFamily Words>
 constexpr Family family(std::string_view name, std::string_view about, Asked asked) {
-  const Needs needs = asked == Asked::when_reversing ? Needs::reverse : Needs::nothing;
+  Needs needs = Needs::nothing;
+  if (asked == Asked::when_reversing) needs = Needs::reverse;
+  if (asked == Asked::when_pivoting) needs = Needs::pivot;
   return {{name, about, needs, drawn<Words>}, Words, asked};
 }
 
@@ -40,6 +42,8 @@ constexpr auto kFamilies = std::to_array<Family>({
     family<line_words<-1, 1>>("rsl", "right, straight, left", Asked::by_sides),
     family<fishtail_words>("fishtail", "ahead in a turn, straight back, ahead in a turn",
                            Asked::when_reversing),
+    family<cusp_words>("cusps", "a fishtail whose wheels are steered while it stands", Asked::when_reversing),
+    family<pivot_words>("pivot", "rotate on the spot, straight, rotate on the spot", Asked::when_pivoting),
     family<three_words<1>>("lrl", "left, right, left", Asked::step_by_step),
     family<three_words<-1>>("rlr", "right, left, right", Asked::step_by_step_right),
 });
@@ -53,6 +57,13 @@ constexpr auto kTurns = [] {
 }  // namespace
 
 std::span<const Family> families() { return kFamilies; }
+Manoeuvres manoeuvres_of(const Machine& machine) {
+  return {machine.may_reverse, machine.may_pivot && machine.kind == MachineKind::differential};
+}
+
+bool allows(const Manoeuvres& may, Needs needs) {
+  return needs == Needs::nothing || (needs == Needs::reverse ? may.reverse : may.pivot);
+}
 
 std::span<const TurnKind> turns() { return kTurns; }
 

@@ -123,6 +123,41 @@ void draw_arc(Drawn& drawn, double curvature_per_m, double length_m, Point turn)
   draw_ramp(drawn, {curvature_per_m, 0, length_m, {radius * turn.y_m, radius * (1 - turn.x_m)}, turn});
 }
 
+void draw_pivot(Drawn& drawn, double angle_rad) {
+  if (angle_rad == 0) return;
+  drawn.path.push_back({{drawn.at.at, drawn.at.heading_rad, 0, 0, 0}, Gear::forward, angle_rad});
+  drawn.at.heading_rad += angle_rad;
+  drawn.ahead = turned(drawn.ahead, unit(angle_rad));
+}
+
+namespace {
+
+Ramp arc(double curvature_per_m, double length_m) {
+  const double half = curvature_per_m * length_m / 2;
+  const Point half_turn = unit(half);
+  // Short arcs: sin(half) / half without losing what it is divided by.
+  const double chord =
+      std::abs(half) < 1e-4 ? length_m * (1 - half * half / 6) : 2 * half_turn.y_m / curvature_per_m;
+  const Point turn = turned(half_turn, half_turn);
+  return {curvature_per_m, 0, length_m, chord * half_turn, turn};
+}
+
+}  // namespace
+
+void draw_arc(Drawn& drawn, double curvature_per_m, double length_m) {
+  if (length_m > 0) draw_ramp(drawn, arc(curvature_per_m, length_m));
+}
+
+void draw_arc_back(Drawn& drawn, double curvature_per_m, double length_m) {
+  if (!(length_m > 0)) return;
+  const Ramp back = arc(curvature_per_m, length_m);
+  const double heading_rad = wrapped(drawn.at.heading_rad + std::numbers::pi);
+  drawn.path.push_back({{drawn.at.at, heading_rad, curvature_per_m, 0, length_m}, Gear::reverse});
+  drawn.at.at = drawn.at.at - turned(drawn.ahead, back.way);
+  drawn.at.heading_rad += curvature_per_m * length_m;
+  drawn.ahead = turned(drawn.ahead, back.turn);
+}
+
 void draw_ramp(Drawn& drawn, const Ramp& ramp) {
   drawn.path.push_back(
       {{drawn.at.at, drawn.at.heading_rad, ramp.curvature_per_m, ramp.sharpness_per_m2, ramp.length_m},

@@ -34,6 +34,8 @@ void draw_line(Drawn& drawn, double length_m);
 void draw_line_back(Drawn& drawn, double length_m);
 /// `turn` is the unit vector of the arc's deflection.
 void draw_arc(Drawn& drawn, double curvature_per_m, double length_m, Point turn);
+void draw_arc(Drawn& drawn, double curvature_per_m, double length_m);
+void draw_arc_back(Drawn& drawn, double curvature_per_m, double length_m);
 /// A clothoid whose end, as displacement in the frame of its start, and deflection's unit vector are known.
 struct Ramp {
   double curvature_per_m = 0;
@@ -43,6 +45,8 @@ struct Ramp {
   Point turn;
 };
 void draw_ramp(Drawn& drawn, const Ramp& ramp);
+/// A rotation on the spot; nothing where `angle_rad` is 0.
+void draw_pivot(Drawn& drawn, double angle_rad);
 /// Nothing where the deflection is 0.
 void draw_swing(Drawn& drawn, const Deflection& by, const Swings& swings);
 

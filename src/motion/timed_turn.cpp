@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "selion/motion/standing.hpp"
 #include "selion/motion/turns.hpp"
 
 namespace selion {
@@ -29,8 +30,15 @@ Leads leads_of(const Machine& machine) {
 }
 
 void add_turn(std::vector<Leg>& legs, const Path& turn, const Machine& machine) {
-  for (const Stretch& stretch : turn)
-    legs.push_back({stretch, turn_cap_mps(machine, stretch.curve), false, 0});
+  const Stretch* last = nullptr;
+  for (const Stretch& stretch : turn) {
+    if (last != nullptr)
+      if (const double wait_s = steering_s(machine, *last, stretch); wait_s > 0)
+        legs.push_back({standing_after(*last), 0, false, wait_s});
+    const double rest_s = is_pivot(stretch) ? pivot_s(machine, stretch.pivot_rad) : 0;
+    legs.push_back({stretch, turn_cap_mps(machine, stretch.curve), false, rest_s});
+    last = &stretch;
+  }
 }
 
 /// The legs of `legs` are overwritten: a buffer for many turns. Speeds do not hang on places.

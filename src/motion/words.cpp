@@ -17,6 +17,8 @@ double length_m(const Word& word, const Swings& swings) {
   double sum = word.before_m + std::abs(word.line_m) + word.after_m;
   for (const Deflection& deflection : word.swings)
     if (deflection.rad != 0) sum += swings.length_m(std::abs(deflection.rad));
+  if (word.pivots) sum += word.pivots->line_m;
+  if (word.cusps) sum += length_m(*word.cusps, swings.limits());
   return word.dip ? sum + length_m(*word.dip, swings.limits()) : sum;
 }
 
@@ -28,6 +30,12 @@ void draw_word(Drawn& drawn, const Word& word, const Swings& swings) {
   draw_swing(drawn, word.swings[1], swings);
   draw_swing(drawn, word.swings[2], swings);
   if (word.dip) draw_dip(drawn, *word.dip, swings);
+  if (word.pivots) {
+    draw_pivot(drawn, word.pivots->first_rad);
+    draw_line(drawn, word.pivots->line_m);
+    draw_pivot(drawn, word.pivots->second_rad);
+  }
+  if (word.cusps) draw_cusps(drawn, *word.cusps, swings);
   draw_line(drawn, word.after_m);
   if (drawn.path.empty()) drawn.path.push_back({{drawn.at.at, drawn.at.heading_rad, 0, 0, 0}, Gear::forward});
 }

@@ -23,7 +23,26 @@ struct Dip {
 /// Three swings in turn to one side, to the other and to the first again; signed.
 using ThreeSwings = std::array<double, 3>;
 
-/// A way not yet drawn: a straight, a swing, a straight, two swings or a dip, a straight. What is 0 is
+/// A rotation on the spot, a straight, another rotation.
+struct Pivots {
+  double first_rad = 0;
+  double line_m = 0;
+  double second_rad = 0;
+};
+
+/// A fishtail whose wheels are steered while it stands: half a swing, to the arc of the curvature limit;
+/// back, on an arc that turns on to the same side or on a straight; half a swing from that arc on.
+/// Magnitudes.
+struct Cusps {
+  double first_rad = 0;
+  double back_per_m = 0;
+  double back_m = 0;
+  double last_rad = 0;
+  int side = 1;  ///< 1 for left
+};
+
+/// A way not yet drawn: a straight, a swing, a straight, two swings or a dip, pivots or
+/// cusps, a straight. What is 0 is
 /// left out.
 struct Word {
   double before_m = 0;
@@ -31,6 +50,8 @@ struct Word {
   double line_m = 0;  ///< after the first swing; below 0 in reverse
   std::optional<Dip> dip = std::nullopt;
   double after_m = 0;
+  std::optional<Pivots> pivots = std::nullopt;  ///< before the last straight, as cusps are
+  std::optional<Cusps> cusps = std::nullopt;
 };
 
 Word word_of(const ThreeSwings& swings_rad);
@@ -43,6 +64,9 @@ void draw_dip(Drawn& drawn, const Dip& dip, const Swings& swings);
 /// Swing, straight, swing: adds all that reach `goal`; a side is 1 for left, -1 for right.
 void add_swing_line_swings(std::vector<Word>& words, const Pose& goal, int first_side, int second_side,
                            const Swings& swings);
+
+double length_m(const Cusps& cusps, const CurveLimits& limits);
+void draw_cusps(Drawn& drawn, const Cusps& cusps, const Swings& swings);
 
 /// The same, also those whose straight leads back (line_m below 0): it is driven in reverse.
 void add_swings_on_a_line(std::vector<Word>& words, const Pose& goal, int first_side, int second_side,

@@ -80,6 +80,8 @@ BlockReport total(const std::vector<BlockReport>& blocks) {
     all.transfer_s += block.transfer_s;
     all.turns += block.turns;
     all.transfers += block.transfers;
+    all.pivots += block.pivots;
+    all.scrub_m += block.scrub_m;
   }
   return all;
 }

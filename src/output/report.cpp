@@ -80,12 +80,14 @@ void drive_figures(JsonWriter& json, const BlockReport& block) {
   figure(json, "turn_m", block.turn_m);
   figure(json, "transfer_m", block.transfer_m);
   figure(json, "reverse_m", block.reverse_m);
+  figure(json, "scrub_m", block.scrub_m);
   json.end().key("time").begin_object(JsonSpread::lines);
   figure(json, "total_s", driven_s(block));
   figure(json, "work_s", block.work_s);
   figure(json, "turn_s", block.turn_s);
   figure(json, "transfer_s", block.transfer_s);
   json.end().key("turns").whole(block.turns).key("transfers").whole(block.transfers);
+  json.key("pivots").whole(block.pivots);
 }
 
 /// What a block and the total of blocks have in common.

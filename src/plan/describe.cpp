@@ -9,6 +9,7 @@
 #include "selion/core/format.hpp"
 #include "selion/core/units.hpp"
 #include "selion/core/version.hpp"
+#include "selion/motion/standing.hpp"
 #include "selion/plan/job_file.hpp"
 
 namespace selion {
@@ -120,18 +121,21 @@ void add_leg(double& sum_m, double& sum_s, double length_m, double spent_s) {
   sum_s += spent_s;
 }
 
-void report_drive(BlockReport& report, const Drive& drive) {
+void report_drive(BlockReport& report, const Drive& drive, const Machine& machine) {
   const std::vector<double> spent_s = seconds_of(drive.pieces.size(), drive.samples);
   for (std::size_t i = 0; i < drive.pieces.size(); ++i) {
     const DrivePiece& piece = drive.pieces[i];
     const double length = piece.leg.stretch.curve.length_m;
     if (piece.leg.tool_down)
       add_leg(report.work_m, report.work_s, length, spent_s[i]);
-    else if (piece.kind == "turn" || piece.kind == "wait")
+    else if (piece.kind == "turn" || piece.kind == "pivot" || piece.kind == "wait")
       add_leg(report.turn_m, report.turn_s, length, spent_s[i]);
     else
       add_leg(report.transfer_m, report.transfer_s, length, spent_s[i]);
     if (piece.leg.stretch.gear == Gear::reverse) report.reverse_m += length;
+    if (!is_pivot(piece.leg.stretch)) continue;
+    ++report.pivots;
+    report.scrub_m += scrub_m(machine, piece.leg.stretch.pivot_rad);
   }
 }
 
@@ -202,7 +206,7 @@ BlockReport report_of(const PlannedBlock& planned, const Drive& drive, const Loc
   report_coverage(report, coverage_of(planned.block, planned.layout, planned.route, job.machine), frame);
   report_layout(report, planned.layout, frame);
   count_pieces(report, planned.route);
-  report_drive(report, drive);
+  report_drive(report, drive, job.machine);
   return report;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "selion/motion/standing.hpp"
 #include "selion/motion/timed_turn.hpp"
 
 namespace selion {
@@ -29,7 +30,7 @@ std::string name_of(PieceKind kind) {
 bool works(PieceKind kind) { return kind == PieceKind::swath || kind == PieceKind::headland_pass; }
 
 bool straight_ahead(const Stretch& stretch) {
-  return stretch.gear == Gear::forward && stretch.curve.curvature_per_m == 0 &&
+  return stretch.gear == Gear::forward && !is_pivot(stretch) && stretch.curve.curvature_per_m == 0 &&
          stretch.curve.sharpness_per_m2 == 0;
 }
 
@@ -52,6 +53,7 @@ class Pieces {
     rise();
     for (std::size_t i = 0; i < piece.path.size(); ++i) {
       const Stretch& stretch = piece.path[i];
+      if (i > 0) steer(piece.path[i - 1], stretch);
       const bool last = i + 1 == piece.path.size() && next != nullptr && works(next->kind);
       if (last && machine_.run_in_m > 0 && straight_ahead(stretch))
         run_in(piece, stretch);
@@ -73,10 +75,22 @@ class Pieces {
   }
 
   void pass(const RoutePiece& piece, const Stretch& stretch) {
-    if (stretch.gear == Gear::reverse) stand(vehicle_pose(stretch, 0), std::exchange(rising_s_, 0));
+    if (stretch.gear == Gear::reverse || is_pivot(stretch))
+      stand(vehicle_pose(stretch, 0), std::exchange(rising_s_, 0));
+    if (is_pivot(stretch)) return pivot(piece, stretch);
     const double cap = turn_cap_mps(machine_, stretch.curve);
     add(piece, stretch, cap);
     rising_s_ = std::max(0.0, rising_s_ - stretch.curve.length_m / cap);
+  }
+
+  void pivot(const RoutePiece& piece, const Stretch& stretch) {
+    pieces_.push_back({{stretch, 0, down_, pivot_s(machine_, stretch.pivot_rad)}, "pivot", piece.ref});
+  }
+
+  void steer(const Stretch& before, const Stretch& after) {
+    const double wait_s = steering_s(machine_, before, after);
+    if (wait_s > 0) pieces_.push_back({{standing_after(before), 0, false, wait_s}, "wait", ""});
+    rising_s_ = std::max(0.0, rising_s_ - wait_s);
   }
 
   /// Where the straight is longer than what was asked for, the tool comes down at its end.

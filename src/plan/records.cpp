@@ -35,6 +35,7 @@ PieceRecord record_of(const DrivePiece& piece) {
   record.length_m = curve.length_m;
   record.gear = static_cast<int>(piece.leg.stretch.gear);
   record.tool = piece.leg.tool_down ? 1 : 0;
+  if (is_pivot(piece.leg.stretch)) record.angle_rad = piece.leg.stretch.pivot_rad;
   if (piece.leg.wait_s > 0) record.duration_s = piece.leg.wait_s;
   return record;
 }

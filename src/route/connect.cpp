@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "selion/core/angle.hpp"
+#include "selion/motion/standing.hpp"
+#include "selion/motion/timed_turn.hpp"
 
 namespace selion {
 namespace {
@@ -30,21 +33,105 @@ std::optional<Path> straight_on(const Pose& from, const Pose& to) {
   return Path{{{from.at, from.heading_rad, 0, 0, ahead_m}, Gear::forward}};
 }
 
+double over_mainland_m(const Terrain& terrain, const Stretch& stretch) {
+  const double length = stretch.curve.length_m;
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / kCostStep_m)));
+  int over = 0;
+  for (int i = 0; i < steps; ++i)
+    if (terrain.mainland.holds(state_at(stretch.curve, length * (i + 0.5) / steps).at)) ++over;
+  return length * over / steps;
+}
+
+/// The metres that take as long at turn speed where a curve has to be driven more slowly.
+double slowed_m(const Machine& machine, const Stretch& stretch) {
+  const Curve& curve = stretch.curve;
+  const double end = curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m;
+  const double tightest = std::max(std::abs(curve.curvature_per_m), std::abs(end));
+  const double speed =
+      std::min(max_speed_mps(machine, tightest, 0), max_speed_mps(machine, 0, curve.sharpness_per_m2));
+  return curve.length_m * std::max(1.0, machine.turn_speed_mps / speed);
+}
+
+/// Before `stretch`, and in it.
+double standing_m(const Terrain& terrain, const Stretch& last, const Stretch& stretch) {
+  const Machine& machine = terrain.machine;
+  double rest_s = steering_s(machine, last, stretch);
+  if (is_pivot(stretch)) rest_s += pivot_s(machine, stretch.pivot_rad);
+  const bool stops = stretch.gear != last.gear || is_pivot(stretch);
+  return rest_s * machine.turn_speed_mps + (stops ? stop_m(machine, machine.turn_speed_mps) : 0);
+}
+
+/// The shortest turn forwards.
+std::optional<Path> turn_ahead(const Terrain& terrain, const Swings& swings, const Pose& from, const Pose& to,
+                               double longest_m) {
+  Connections turns{from, to, swings};
+  while (auto turn = turns.next()) {
+    if (length_m(*turn) > longest_m) break;
+    if (stays_inside(terrain.space, terrain.footprint, *turn)) return turn;
+  }
+  return std::nullopt;
+}
+
+/// The fastest turn so far, and its seconds with those more by which its ground on the mainland is dearer.
+class Fastest {
+ public:
+  Fastest(const Terrain& terrain, double longest_m) : terrain_{terrain}, longest_m_{longest_m} {}
+
+  /// Where it takes less time, however its ground on the mainland counts, and stays inside.
+  void offer(const Path& turn) {
+    constexpr double kNoFaster_s = 1e-6;
+    if (length_m(turn) > longest_m_) return;
+    const double time_s = turn_time_s(turn, terrain_.machine);
+    if (time_s >= time_s_ - kNoFaster_s) return;
+    const double dear_s = time_s + dearer_s(turn);
+    if (dear_s >= dear_s_ - kNoFaster_s || !stays_inside(terrain_.space, terrain_.footprint, turn)) return;
+    keep(turn, time_s, dear_s);
+  }
+  /// A turn known to stay inside.
+  void begin_with(const Path& turn) {
+    const double time_s = turn_time_s(turn, terrain_.machine);
+    keep(turn, time_s, time_s + dearer_s(turn));
+  }
+  [[nodiscard]] std::optional<Path> turn() && { return std::move(turn_); }
+
+ private:
+  [[nodiscard]] double dearer_s(const Path& turn) const {
+    double over_m = 0;
+    for (const Stretch& stretch : turn) over_m += over_mainland_m(terrain_, stretch);
+    return kOverMainland * over_m / terrain_.machine.turn_speed_mps;
+  }
+  void keep(const Path& turn, double time_s, double dear_s) {
+    turn_ = turn;
+    time_s_ = time_s;
+    dear_s_ = dear_s;
+  }
+
+  const Terrain& terrain_;
+  double longest_m_;
+  std::optional<Path> turn_;
+  double time_s_ = std::numeric_limits<double>::infinity();
+  double dear_s_ = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
+
+double stop_m(const Machine& machine, double speed_mps) {
+  const double lost_s = speed_mps / 2 * (1 / machine.max_accel_mps2 + 1 / machine.max_brake_mps2);
+  return lost_s * machine.turn_speed_mps;
+}
 
 double cost_m(const Terrain& terrain, const Path& path) {
   double cost = 0;
-  Gear last = path.empty() ? Gear::forward : path.front().gear;
+  const Stretch* last = nullptr;
   for (const Stretch& stretch : path) {
-    const double length = stretch.curve.length_m;
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / kCostStep_m)));
-    int over = 0;
-    for (int i = 0; i < steps; ++i)
-      if (terrain.mainland.holds(state_at(stretch.curve, length * (i + 0.5) / steps).at)) ++over;
-    cost += length * (1 + kOverMainland * over / steps + (stretch.gear == Gear::reverse ? kInReverse : 0));
-    if (stretch.gear != last) cost += kGearChange_m;
-    last = stretch.gear;
+    cost += slowed_m(terrain.machine, stretch) + kOverMainland * over_mainland_m(terrain, stretch);
+    if (last != nullptr) cost += standing_m(terrain, *last, stretch);
+    last = &stretch;
   }
+  if (last == nullptr) return 0;
+  const double stop = stop_m(terrain.machine, terrain.machine.work_speed_mps);
+  if (path.front().gear == Gear::reverse) cost += stop;
+  if (path.back().gear == Gear::reverse) cost += stop;
   return cost;
 }
 
@@ -53,12 +140,15 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, co
   if (auto straight = straight_on(from, to))
     return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
   const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
-  Connections turns{from, to, swings};
-  while (auto turn = turns.next()) {
-    if (length_m(*turn) > longest) break;
-    if (stays_inside(terrain.space, terrain.footprint, *turn)) return turn;
-  }
-  return std::nullopt;
+  auto ahead = turn_ahead(terrain, swings, from, to, longest);
+  const Manoeuvres may = manoeuvres_of(terrain.machine);
+  if (may == Manoeuvres{}) return ahead;
+  Fastest fastest{terrain, longest};
+  if (ahead) fastest.begin_with(*ahead);
+  for (const TurnKind& kind : turns())
+    if (kind.needs != Needs::nothing && allows(may, kind.needs))
+      for (const Path& turn : kind.candidates(from, to, swings)) fastest.offer(turn);
+  return std::move(fastest).turn();
 }
 
 }  // namespace selion

@@ -18,18 +18,23 @@ struct Terrain {
   Swings swings;  ///< within those limits
   bool may_reverse = false;
   const AreaIndex& mainland;  ///< not to be driven over where there is another way
+  const Machine& machine;
 };
 
 constexpr double kOverMainland =
     2;  ///< extra cost of a metre over the mainland: rows just sown are not crossed
-constexpr double kInReverse = 1.0;   ///< extra cost of a metre in reverse
-constexpr double kGearChange_m = 6;  ///< what stopping and changing gear is worth
 
-/// Cost of a way: its metres, those over the mainland dearer, reversing and changes of gear dearer still.
+/// What a stop out of `speed_mps` and back to it costs, as metres at turn speed.
+double stop_m(const Machine& machine, double speed_mps);
+
+/// Cost of a way between work ahead, in metres at turn speed: its own, more where a curve must be driven more
+/// slowly, three times those over the mainland, and what could be driven in the time of its stops, pivots and
+/// steering while standing.
 double cost_m(const Terrain& terrain, const Path& path);
 
-/// One turn within the limits, the shortest that stays inside; absent where none of at most `most_m`, and of
-/// a turn's length, does. Empty where both are one place.
+/// One turn within the limits that stays inside: the shortest one forwards or, where it takes less time, one
+/// in reverse or with pivots; ground of the mainland counts as in cost_m(). Absent where none of at most
+/// `most_m`, and of a turn's length, stays inside. Empty where both are one place.
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
                                 const Pose& to, double most_m);
 

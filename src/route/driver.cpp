@@ -8,6 +8,7 @@
 
 #include "retreats.hpp"
 #include "selion/motion/dubins.hpp"
+#include "selion/motion/timed_turn.hpp"
 
 namespace selion {
 namespace {
@@ -18,7 +19,8 @@ constexpr double kFarRound = 3;  // a way this many turns long is worth a search
 /// Without stretches that are nothing but rounding.
 Path without_crumbs(Path path) {
   constexpr double kCrumb_m = 5e-7;  // half of what joints may miss
-  std::erase_if(path, [](const Stretch& stretch) { return stretch.curve.length_m < kCrumb_m; });
+  std::erase_if(
+      path, [](const Stretch& stretch) { return stretch.curve.length_m < kCrumb_m && !is_pivot(stretch); });
   return path;
 }
 
@@ -34,7 +36,8 @@ Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
                limits_at(machine, machine.turn_speed_mps),
                Swings{limits_at(machine, machine.turn_speed_mps)},
                machine.may_reverse,
-               mainland_} {}
+               mainland_,
+               machine} {}
 
 /// Built when a way over them is first asked for: most fields need none.
 Roads& Driver::roads() {
@@ -50,6 +53,11 @@ const Swings& Driver::swings(double wider) {
   const CurveLimits& limits = terrain_.limits;
   const CurveLimits gentle{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)};
   return wider_.emplace(wider, Swings{gentle}).first->second;
+}
+
+/// The same turns with sharper clothoids.
+const Swings& Driver::slower_swings(double speed_mps) {
+  return slower_.try_emplace(speed_mps, limits_at(machine_, speed_mps)).first->second;
 }
 
 /// Beyond this a way is a transfer.
@@ -113,14 +121,24 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals
   return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m());
 }
 
+/// At the highest speed below turn speed at which a turn needs no more room than there is.
+std::optional<Driver::Approach> Driver::turn_slowly_into(const std::vector<Goal>& goals) {
+  for (const double speed : turn_speeds(machine_)) {
+    if (speed >= machine_.turn_speed_mps) continue;
+    auto turn = turn_into(goals, slower_swings(speed), longest_turn_m());
+    if (turn && turn->cost_m <= longest_turn_m()) return turn;
+  }
+  return std::nullopt;
+}
+
 std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const {
   if (!arrival) return std::nullopt;
   const double cost = cost_m(terrain_, arrival->way);
   return Approach{arrival->goal, std::move(arrival->way), cost};
 }
 
-/// The cheapest of: one turn; where that is a long one, the roads; where these lead far round or nowhere, a
-/// search.
+/// The cheapest of: one turn; where that is a long one, the roads; where these lead a long way too, a turn at
+/// lower speed; where they lead far round or nowhere, a search.
 std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals) {
   std::optional<Approach> best = turn_into(goals);
   const auto keep_cheaper = [&best](std::optional<Approach> other) {
@@ -131,6 +149,7 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals)
   for (const Goal& goal : goals) poses.push_back(goal.pose);
   keep_cheaper(by(roads().way(*here_, poses, ways_back())));
   const bool close = far_m(here_, poses.front()) < longest_turn_m();
+  if (close && (!best || best->cost_m > longest_turn_m())) keep_cheaper(turn_slowly_into(goals));
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
     if (auto found = searched(terrain_, {*here_}, poses)) keep_cheaper(by(std::move(found->arrival)));
   return best;

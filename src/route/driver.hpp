@@ -52,7 +52,9 @@ class Driver {
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals);
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, const Swings& swings,
                                                   double most_m) const;
+  [[nodiscard]] std::optional<Approach> turn_slowly_into(const std::vector<Goal>& goals);
   [[nodiscard]] const Swings& swings(double wider);
+  [[nodiscard]] const Swings& slower_swings(double speed_mps);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
   [[nodiscard]] std::vector<Goal> goals_of(const Task& task) const;
@@ -69,6 +71,7 @@ class Driver {
   Terrain terrain_;
   std::optional<Roads> roads_;
   std::map<double, Swings> wider_;
+  std::map<double, Swings> slower_;
   std::optional<Pose> here_;
   std::vector<RoutePiece> driven_;
 };

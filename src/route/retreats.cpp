@@ -26,8 +26,7 @@ void back_over(Backing& backing, const Stretch& stretch) {
   const bool straight = stretch.curve.curvature_per_m == 0 && stretch.curve.sharpness_per_m2 == 0;
   const bool may_end = straight || std::abs(stretch.curve.curvature_per_m) < kStraight_per_m;
   const int steps = straight ? std::max(1, static_cast<int>(std::ceil(whole_m / kRetreatStep_m))) : 1;
-  const Gear gear = stretch.gear == Gear::forward ? Gear::reverse : Gear::forward;
-  backing.run.push_back({reversed(stretch.curve), gear});
+  append(backing.run, backed({stretch}));
   for (int k = 1; may_end && k <= steps && backing.found.size() < kMostRetreats; ++k) {
     backing.found.push_back(backing.run);
     backing.found.back().back().curve.length_m = whole_m * k / steps;

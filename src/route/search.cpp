@@ -130,8 +130,9 @@ void Search::expand(std::size_t node) {
   for (const Move& move : moves_) {
     const Pose pose = nodes_[node].pose;
     const Pose end{placed(pose, move.end), pose.heading_rad + move.turn_rad};
-    double cost = nodes_[node].cost + move.length_m * (move.gear == Gear::reverse ? 1 + kInReverse : 1);
-    if (node >= departures_ && move.gear != nodes_[node].gear) cost += kGearChange_m;
+    double cost = nodes_[node].cost + move.length_m;
+    if (node >= departures_ && move.gear != nodes_[node].gear)
+      cost += stop_m(terrain_.machine, terrain_.machine.turn_speed_mps);
     const std::uint64_t key = key_of(end, move.gear);
     const auto known = best_.find(key);
     if (known != best_.end() && nodes_[known->second].cost <= cost) continue;

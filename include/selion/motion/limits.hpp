@@ -27,7 +27,8 @@ struct LimitUse {
 
 /// The largest use of each limit anywhere on the drive, not only at its samples: between two of them the
 /// square of the speed and the curvature are linear along the way, so each limit's largest use is at an end
-/// or where a derivative vanishes (a linear or quadratic equation). Legs below 1e-6 m and waits use nothing.
+/// or where a derivative vanishes (a linear or quadratic equation). Legs below 1e-6 m and waits use nothing,
+/// pivots speed (their wheels', of turn_speed_mps), acceleration and braking.
 /// @pre the samples are those of drive() over the legs.
 LimitUse limit_use(std::span<const Leg> legs, std::span<const Sample> samples, const Machine& machine);
 

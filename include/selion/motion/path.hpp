@@ -36,31 +36,39 @@ Curve reversed(const Curve& curve);
 
 enum class Gear { forward = 1, reverse = -1 };
 
+/// A curve driven in one gear. Or a pivot, where `pivot_rad` is not 0: the machine stands and rotates by so
+/// much, left positive, about the start of a curve of length 0, which has the heading before it.
 struct Stretch {
   Curve curve;
   Gear gear = Gear::forward;
+  double pivot_rad = 0;
 
   friend bool operator==(const Stretch&, const Stretch&) = default;
 };
 
-/// Stretches end to end: position, vehicle heading and, but for cusps where the gear changes, curvature are
-/// continuous.
+inline bool is_pivot(const Stretch& stretch) { return stretch.pivot_rad != 0; }
+
+/// Stretches end to end: position, vehicle heading and, but for pivots and cusps where the gear changes,
+/// curvature are continuous.
 using Path = std::vector<Stretch>;
 
 double length_m(const Path& path);
 /// Of the vehicle, at the start and the end. @pre the path is not empty.
 Pose start_pose(const Path& path);
 Pose end_pose(const Path& path);
+/// Of a pivot: before it.
 Pose vehicle_pose(const Stretch& stretch, double s_m);
+Pose end_pose(const Stretch& stretch);
 /// The same ground driven the other way in the other gear.
 Path backed(const Path& path);
 void append(Path& path, const Path& more);
 
-/// Vehicle poses from start to end, at both ends of every stretch and at most `step_m` apart.
+/// Vehicle poses from start to end, at both ends of every stretch and at most `step_m` apart: of a pivot
+/// before and after it.
 std::vector<Pose> poses(const Path& path, double step_m);
 
-/// Largest of the gaps between consecutive stretches: metres, radians (vehicle heading), 1/m (cusps left
-/// out).
+/// Largest of the gaps between consecutive stretches: metres, radians (vehicle heading), 1/m (cusps and
+/// pivots left out).
 struct Gaps {
   double position_m = 0;
   double heading_rad = 0;

@@ -10,8 +10,8 @@
 
 namespace selion {
 
-/// What is driven: a stretch with its cap (on top of the machine's own limits), or a wait where `wait_s` > 0
-/// (the stretch then has length 0).
+/// What is driven: a stretch with its cap (on top of the machine's own limits), or a rest where `wait_s` > 0
+/// (the stretch then has length 0): a wait, or a pivot that takes so long.
 struct Leg {
   Stretch stretch;
   double speed_cap_mps = 0;
@@ -39,14 +39,16 @@ struct EndSpeeds {
 };
 
 /// Fastest drive over the legs below the limits at every place: caps, max_speed_mps() with its lateral
-/// acceleration and exact steering rate, acceleration and braking; at rest at changes of gear and at waits.
-/// No limit is exceeded between samples; where lateral acceleration or steering rate rules, the speed is at
-/// most 2 % below it. A sample stands at every end of a leg, every corner of the speed profile, every tool
-/// change and wait, and at most 0.25 m apart where the curve bends, 100 m on straights. Times increase
-/// strictly (a wait repeats the position). A joint of legs is one sample, of the later leg. Legs below 1e-6 m
-/// take no time and have no sample; corners of the profile within 0.5 ms of each other are one where the
-/// profile without them stays below the limits. Linear in legs and length. Bobrow, Dubowsky and Gibson 1985.
-/// @pre every leg with a length has a cap above 0.
+/// acceleration and exact steering rate, acceleration and braking; at rest at changes of gear, waits and
+/// pivots. No limit is exceeded between samples; where lateral acceleration or steering rate rules, the speed
+/// is at most 2 % below it. A sample stands at every end of a leg, every corner of the speed profile, every
+/// tool change and wait, and at most 0.25 m apart where the curve bends, 100 m on straights. A pivot has
+/// samples where it begins, stops speeding up and begins to brake, as pivot_of() says, stretched to the time
+/// given. Times increase strictly (a rest repeats the position). A joint of legs is one sample, of the later
+/// leg. Legs below 1e-6 m take no time and have no sample; corners of the profile within 0.5 ms of each other
+/// are one where the profile without them stays below the limits. Linear in legs and length. Bobrow, Dubowsky
+/// and Gibson 1985.
+/// @pre every leg with a length has a cap above 0, every pivot a time.
 std::vector<Sample> drive(std::span<const Leg> legs, const Machine& machine, const EndSpeeds& ends);
 /// From and to rest.
 std::vector<Sample> drive(std::span<const Leg> legs, const Machine& machine);

@@ -16,7 +16,8 @@ namespace selion {
 /// straight.
 double turn_cap_mps(const Machine& machine, const Curve& curve);
 
-/// The turn as legs with these caps, tool up.
+/// The turn as legs with these caps, tool up: with the time of its pivots, and a wait wherever the wheels are
+/// steered while the machine stands.
 std::vector<Leg> turn_legs(const Path& turn, const Machine& machine);
 
 /// Seconds that the turn costs between two pieces of work: driving it, and what braking for it and gaining

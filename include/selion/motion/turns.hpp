@@ -31,11 +31,11 @@ Corner corner_of(double deflection_rad, const CurveLimits& limits);
 
 /// Every candidate starts and ends straight (curvature 0) within 1e-12 m and 1e-12 rad of the poses given (a
 /// straight within 1e-9, so that rounded poses in line need no swings), is curvature-continuous but for
-/// changes of gear, and keeps the limits. Empty where the family has none.
+/// changes of gear and pivots, and keeps the limits. Empty where the family has none.
 using TurnFamily = std::vector<Path> (*)(const Pose& from, const Pose& to, const Swings& swings);
 
 /// What a turn asks of a machine besides steering.
-enum class Needs { nothing, reverse };
+enum class Needs { nothing, reverse, pivot };
 
 struct TurnKind {
   std::string_view name;
@@ -47,12 +47,17 @@ struct TurnKind {
 /// What the machine may do besides steering.
 struct Manoeuvres {
   bool reverse = false;
+  bool pivot = false;  ///< rotate on the spot
 
   friend bool operator==(const Manoeuvres&, const Manoeuvres&) = default;
 };
 
+/// Only a differential machine pivots.
+Manoeuvres manoeuvres_of(const Machine& machine);
+bool allows(const Manoeuvres& may, Needs needs);
+
 /// loop and flat (between antiparallel swaths, the shorter one driven on), dip, straight and the Dubins words
-/// with clothoids, fishtail (any two poses).
+/// with clothoids, fishtail and pivot (any two poses).
 std::span<const TurnKind> turns();
 
 /// The candidates of all families, shortest first, each way once; never empty. Poses that agree are connected

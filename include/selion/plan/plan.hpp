@@ -50,6 +50,8 @@ struct BlockReport {
   double work_s = 0, turn_s = 0, transfer_s = 0;
   int turns = 0;
   int transfers = 0;
+  int pivots = 0;
+  double scrub_m = 0;  ///< what the tyres of each side slide in them
 
   friend bool operator==(const BlockReport&, const BlockReport&) = default;
 };

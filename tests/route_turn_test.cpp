@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "route/connect.hpp"
+#include "selion/motion/timed_turn.hpp"
+
+using namespace selion;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Machine preset(std::string_view name) {
+  for (const MachinePreset& known : machine_presets())
+    if (known.name == name) return known.machine;
+  return {};
+}
+
+/// The ground beyond the ends of two swaths at x = 0: as deep as given, and wide.
+class Ground {
+ public:
+  Ground(const Machine& machine, double depth_m)
+      : machine_{machine},
+        space_{
+            free_space({{{-60, -60}, {depth_m, -60}, {depth_m, 60}, {-60, 60}}, {}}, footprint_of(machine))},
+        mainland_{std::vector<Polygon>{Polygon{{{-60, -60}, {-20, -60}, {-20, 60}, {-60, 60}}, {}}}} {}
+
+  [[nodiscard]] std::optional<Path> turn(double aside_m, double ahead_m) const {
+    const CurveLimits limits = limits_at(machine_, machine_.turn_speed_mps);
+    const Terrain terrain{
+        space_, footprint_of(machine_), limits, Swings{limits}, machine_.may_reverse, mainland_, machine_};
+    return direct_turn(terrain, terrain.swings, {}, {{ahead_m, aside_m}, kPi}, 1e9);
+  }
+
+  /// Of all families that the machine may drive, those that stay inside.
+  [[nodiscard]] std::vector<Path> all(double aside_m, double ahead_m, bool forwards) const {
+    const Swings swings{limits_at(machine_, machine_.turn_speed_mps)};
+    std::vector<Path> inside;
+    for (const TurnKind& kind : turns()) {
+      if (!allows(manoeuvres_of(machine_), kind.needs) || forwards != (kind.needs == Needs::nothing))
+        continue;
+      for (Path& path : kind.candidates({}, {{ahead_m, aside_m}, kPi}, swings))
+        if (stays_inside(space_, footprint_of(machine_), path)) inside.push_back(std::move(path));
+    }
+    return inside;
+  }
+
+ private:
+  Machine machine_;
+  FreeSpace space_;
+  AreaIndex mainland_;
+};
+
+bool pivots(const Path& path) { return std::any_of(path.begin(), path.end(), is_pivot); }
+bool reverses(const Path& path) {
+  return std::any_of(path.begin(), path.end(), [](const Stretch& s) { return s.gear == Gear::reverse; });
+}
+
+}  // namespace
+
+TEST_CASE("of the turns that stay inside a machine drives none that takes longer than another",
+          "[route][turn]") {
+  const Machine machine = preset(GENERATE("robot-3m", "husky", "amiga", "tractor-6m", "tractor-12m"));
+  const double beyond_m = GENERATE(30.0, 9.0, 5.0, 1.5);
+  const double ahead_m = GENERATE(0.0, 1.5, -2.0);
+  const Ground ground{machine, beyond_m};
+  for (const double widths : {1.0, -1.0, 2.0}) {
+    const double aside_m = widths * machine.working_width_m;
+    CAPTURE(machine.preset, beyond_m, ahead_m, aside_m);
+    const auto turn = ground.turn(aside_m, ahead_m);
+    const auto ahead = ground.all(aside_m, ahead_m, true);
+    const auto others = ground.all(aside_m, ahead_m, false);
+    CHECK((turn.has_value() || ahead.empty() || others.empty()));
+    if (!turn) continue;
+    const double time = turn_time_s(*turn, machine);
+    for (const Path& other : others) CHECK(time <= turn_time_s(other, machine) + 1e-5);
+    if (pivots(*turn) || reverses(*turn))
+      for (const Path& other : ahead)
+        CHECK((time <= turn_time_s(other, machine) || length_m(other) > length_m(*turn)));
+  }
+}
+
+TEST_CASE("a machine turns about on ground too shallow for a loop, if it may reverse or pivot",
+          "[route][turn]") {
+  Machine robot = preset("robot-3m");
+  const double shallow_m = 5.6;  // its body reaches 2.4 m ahead
+  const auto turn = Ground{robot, shallow_m}.turn(3, 0);
+  REQUIRE(turn);
+  CHECK(reverses(*turn));
+  robot.may_reverse = false;
+  const auto forwards = Ground{robot, shallow_m}.turn(3, 0);
+  CHECK((!forwards || length_m(*forwards) > 2 * length_m(*turn)));
+
+  Machine husky = preset("husky");
+  const auto about = Ground{husky, 0.7}.turn(0.75, 0);
+  REQUIRE(about);
+  CHECK(pivots(*about));
+  husky.may_pivot = false;
+  const auto otherwise = Ground{husky, 0.7}.turn(0.75, 0);
+  CHECK((!otherwise || !pivots(*otherwise)));
+}
