@@ -74,6 +74,11 @@ bool second_follows(ThreeSwings& d, double turned_rad) {
   return d[1] >= 0 && d[1] <= kMost_rad && d[0] <= kMost_rad && d[2] <= kMost_rad;
 }
 
+std::optional<ThreeSwings> settled(ThreeSwings d, double turned_rad) {
+  d[1] = d[0] + d[2] - turned_rad;
+  return d[1] >= 0 ? std::optional{d} : std::nullopt;
+}
+
 /// Left, right, left; the deflections as magnitudes.
 std::optional<ThreeSwings> polished_left(const ThreeSwings& start, const Pose& goal, const Swings& swings) {
   const double drawn = start[0] - start[1] + start[2];
@@ -94,10 +99,7 @@ std::optional<ThreeSwings> polished_left(const ThreeSwings& start, const Pose& g
     const double scale = cross(miss.by_first, miss.by_third);
     d[0] = stepped(d[0], -cross(miss.value, miss.by_third) / scale);
     d[2] = stepped(d[2], -cross(miss.by_first, miss.value) / scale);
-    if (met) {  // with one more step, down to rounding
-      d[1] = d[0] + d[2] - turned;
-      return d[1] >= 0 ? std::optional{d} : std::nullopt;
-    }
+    if (met) return settled(d, turned);  // with one more step, down to rounding
   }
   return std::nullopt;
 }

@@ -145,8 +145,8 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals)
     if (other && (!best || other->cost_m < best->cost_m - kNoBetter_m)) best = std::move(other);
   };
   if (best && best->cost_m <= longest_turn_m()) return best;
-  std::vector<Pose> poses;
-  for (const Goal& goal : goals) poses.push_back(goal.pose);
+  std::vector<Pose> poses(goals.size());
+  std::transform(goals.begin(), goals.end(), poses.begin(), [](const Goal& goal) { return goal.pose; });
   keep_cheaper(by(roads().way(*here_, poses, ways_back())));
   const bool close = far_m(here_, poses.front()) < longest_turn_m();
   if (close && (!best || best->cost_m > longest_turn_m())) keep_cheaper(turn_slowly_into(goals));
