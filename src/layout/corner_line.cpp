@@ -11,7 +11,6 @@
 namespace selion {
 namespace {
 
-constexpr double kFollow_m = 0.01;  // how far the corner line may stray from the ring
 constexpr double kShortestEdge_m = 0.02;
 constexpr double kSharpest_rad = 2.6;  // a corner of the line turning more than this is cut off
 constexpr double kGentleCut_m =

@@ -10,9 +10,6 @@
 namespace selion {
 namespace {
 
-/// Headland rings follow the border to within this much; they overlap by twice as much so that no sliver
-/// stays between.
-constexpr double kFollow_m = 0.01;
 /// A turn this much longer than the shortest is taken where that saves depth; longer ones loop over the
 /// swaths.
 constexpr double kNotMuchLonger = 1.2;

@@ -11,6 +11,10 @@
 
 namespace selion {
 
+/// How far the lines of headland passes may stray from their rings; rings overlap by twice as much so that no
+/// sliver stays between.
+constexpr double kFollow_m = 0.01;
+
 /// From where to where something lies along an axis.
 struct AxisExtent {
   double low_m = std::numeric_limits<double>::infinity();

@@ -9,7 +9,6 @@
 namespace selion {
 namespace {
 
-constexpr double kFollow_m = 0.01;  // how far a run may stray from the ring
 constexpr int kMostRepairs = 60;
 constexpr double kLeastRun = 1;  // of the working width: shorter runs are not worth a pass
 

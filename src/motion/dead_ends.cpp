@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "selion/motion/dead_ends.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace selion {
 namespace {
-
-/// The same line from its end to its start, forwards.
-Path driven_back(const Path& path) {
-  Path back;
-  for (const Stretch& stretch : path) back.push_back({reversed(stretch.curve), stretch.gear});
-  std::reverse(back.begin(), back.end());
-  return back;
-}
 
 /// Straight on and a turn by a third of a circle, as long or short and to either side as it takes.
 template <class Fits>
@@ -34,7 +25,7 @@ bool turns_off(const Pose& pose, const CurveLimits& limits, Fits fits) {
 bool has_way_in(const FreeSpace& space, const Footprint& footprint, const CurveLimits& limits,
                 const Pose& pose) {
   return turns_off({pose.at, pose.heading_rad + std::numbers::pi}, limits,
-                   [&](const Path& path) { return fits(space, footprint, driven_back(path)); });
+                   [&](const Path& path) { return fits(space, footprint, turned_round(path)); });
 }
 
 bool has_way_out(const FreeSpace& space, const Footprint& footprint, const CurveLimits& limits,

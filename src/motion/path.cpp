@@ -66,6 +66,14 @@ Path backed(const Path& path) {
   return back;
 }
 
+Path turned_round(const Path& path) {
+  Path out;
+  out.reserve(path.size());
+  for (const Stretch& stretch : path) out.push_back({reversed(stretch.curve), stretch.gear});
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
 void append(Path& path, const Path& more) { path.insert(path.end(), more.begin(), more.end()); }
 
 std::vector<Pose> poses(const Path& path, double step_m) {

@@ -30,8 +30,6 @@ Track track_of(const Path& path, bool closed);
 std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const Terrain& terrain);
 /// A straight way on from a pose, as far as the machine fits, 20 m at most; empty where it fits nowhere.
 Path run_on(const Terrain& terrain, const Pose& from);
-/// The path driven forwards the other way.
-Path turned_round(const Path& path);
 /// The part of a path from `from_m` to `to_m` along it; of a closed one across its seam where to < from or to
 /// > its length.
 Path part_of(const Path& path, double from_m, double to_m);

@@ -38,14 +38,6 @@ Path part_of(const Path& path, double from_m, double to_m) {
   return part;
 }
 
-Path turned_round(const Path& path) {
-  Path out;
-  out.reserve(path.size());
-  for (const Stretch& stretch : path) out.push_back({reversed(stretch.curve), stretch.gear});
-  std::reverse(out.begin(), out.end());
-  return out;
-}
-
 /// A straight way on from the path's end, as far as the machine fits.
 Path run_on(const Terrain& terrain, const Pose& from) {
   constexpr double kFarthest_m = 20;

@@ -61,6 +61,8 @@ Pose vehicle_pose(const Stretch& stretch, double s_m);
 Pose end_pose(const Stretch& stretch);
 /// The same ground driven the other way in the other gear.
 Path backed(const Path& path);
+/// The same line from its end to its start, in the same gears. @pre no pivots.
+Path turned_round(const Path& path);
 void append(Path& path, const Path& more);
 
 /// Vehicle poses from start to end, at both ends of every stretch and at most `step_m` apart: of a pivot
