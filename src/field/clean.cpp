@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "loops.hpp"
 #include "selion/core/error.hpp"
@@ -26,6 +27,16 @@ Polygons joined(const Polygons& areas) {
     result = unite(result);
   }
   return result;
+}
+
+/// At most so much lies within `near_m` of the border.
+double area_near_border_m2(const Polygon& area, double near_m) {
+  const auto beside_m2 = [near_m](const Ring& ring) {
+    return near_m * perimeter_m(ring) + static_cast<double>(ring.size()) * std::numbers::pi * near_m * near_m;
+  };
+  double sum = beside_m2(area.shell);
+  for (const Ring& hole : area.holes) sum += beside_m2(hole);
+  return sum;
 }
 
 /// One ring, cut into loops by the side that the ring as a whole has on its left or right.
@@ -252,7 +263,14 @@ class Cleaner {
 
 }  // namespace
 
-bool is_sliver(const Polygons& areas) { return areas.empty() || inset(areas, kWidest_m / 2).empty(); }
+/// More area than lies within half the width of sides and corners is somewhere wider: most need no inset.
+bool is_sliver(const Polygons& areas) {
+  constexpr double kHalf_m = kWidest_m / 2;
+  double near_m2 = 0;
+  for (const Polygon& area : areas) near_m2 += area_near_border_m2(area, kHalf_m);
+  if (area_m2(areas) > 2 * near_m2) return false;
+  return areas.empty() || inset(areas, kHalf_m).empty();
+}
 
 Ring local_ring(const LonLatRing& ring, const LocalFrame& frame, const std::string& where) {
   constexpr double kFarthest_m = 100e3;

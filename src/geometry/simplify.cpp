@@ -2,6 +2,8 @@
 #include "selion/geometry/simplify.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace selion {
@@ -34,6 +36,18 @@ void keep_between(const Ring& ring, std::size_t first, std::size_t last, double 
   }
 }
 
+double perimeter_of_all_m(const Polygon& area) {
+  double sum = perimeter_m(area.shell);
+  for (const Ring& hole : area.holes) sum += perimeter_m(hole);
+  return sum;
+}
+
+std::size_t corner_count(const Polygon& area) {
+  std::size_t sum = area.shell.size();
+  for (const Ring& hole : area.holes) sum += hole.size();
+  return sum;
+}
+
 }  // namespace
 
 Ring simplified(const Ring& ring, double tolerance_m) {
@@ -51,6 +65,25 @@ Ring simplified(const Ring& ring, double tolerance_m) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (keep[i]) out.push_back(ring[i]);
   return out.size() < 3 ? ring : out;
+}
+
+Polygon simplified(const Polygon& area, double tolerance_m) {
+  Polygon out{simplified(area.shell, tolerance_m), {}};
+  out.holes.reserve(area.holes.size());
+  for (const Ring& hole : area.holes) out.holes.push_back(simplified(hole, tolerance_m));
+  return out;
+}
+
+Evened evened(const Polygon& area) {
+  constexpr double kApart_m = 1;
+  constexpr auto kStrays_m = std::to_array({0.005, 0.01, 0.02, 0.05, 0.1});
+  const double most = perimeter_of_all_m(area) / kApart_m;
+  Evened out{area, 0};
+  for (const double stray_m : kStrays_m) {
+    if (static_cast<double>(corner_count(out.area)) <= most) break;
+    out = {simplified(area, stray_m), stray_m};
+  }
+  return out;
 }
 
 }  // namespace selion

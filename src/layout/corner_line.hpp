@@ -16,8 +16,9 @@ namespace selion {
 /// corner_repair.cpp moves what does not fit.
 class CornerLine {
  public:
-  /// `room_m`: beyond the lane's outer edge, for body and tool to swing out into.
-  CornerLine(const Ground& ground, const Ring& ring, double room_m);
+  /// `room_m`: beyond the lane's outer edge, for body and tool to swing out into. `stray_m`: how far corners
+  /// may be cut or left out at first.
+  CornerLine(const Ground& ground, const Ring& ring, double room_m, double stray_m);
 
   /// Merges and drops corners until each has room on its edges. False where nothing is left to drive round.
   bool make_room();
@@ -38,6 +39,7 @@ class CornerLine {
     Index next = 0;
     double room_m = 0;
     bool dropped = false;
+    bool cut = false;        ///< comes of a corner cut off; where it is one corner again, that was in vain
     bool pushed = false;     ///< swung out already: its neighbours on the edges stand
     bool may_gentle = true;  ///< until it has been found not to fit
     bool gentle = false;

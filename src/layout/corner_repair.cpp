@@ -40,7 +40,7 @@ bool CornerLine::ease(Index i) {
   return was_gentle || (less_room && (v.shape.ease_in_m > 0 || v.shape.ease_out_m > 0));
 }
 
-/// Cuts a left turn off, with room for the two corners that come of it.
+/// Cuts a left turn off, with room for the two corners that come of it; leaves it out where that was tried.
 void CornerLine::chamfer(Index i) {
   const Vertex v = vertices_[i];
   const double half = v.turn_rad / 2;
@@ -48,8 +48,10 @@ void CornerLine::chamfer(Index i) {
   const double wish = std::max(kPush_m, 1.02 * (reach.before_m + reach.after_m) / (2 * std::cos(half)));
   const double before = std::min(wish, length_m(edge(v.previous)) / 2);
   const double after = std::min(wish, length_m(edge(i)) / 2);
+  if (v.cut && std::min(before, after) < wish) return drop(i);
   Vertex first = v;
-  Vertex second = v;
+  first.cut = true;
+  Vertex second = first;
   first.at = v.at - before * unit(heading_rad(edge(v.previous)));
   second.at = v.at + after * unit(heading_rad(edge(i)));
   replace(i, {first, second});

@@ -71,6 +71,22 @@ std::vector<HeadlandRun> runs_on_edges(const Ground& ground, const Ring& ring) {
   return runs;
 }
 
+/// Repairs until all fits.
+std::vector<HeadlandRun> runs_along(const Ground& ground, const Ring& ring, double room_m, double stray_m) {
+  CornerLine corners{ground, ring, room_m, stray_m};
+  bool moved = true;
+  for (int round = 0; moved && round < kMostRepairs; ++round) {
+    if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m));
+    corners.make_gentle();
+    moved = corners.repair();
+  }
+  if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m));
+  if (!moved && corners.fits()) return {{corners.path(), true}};
+  return corners.fitting_runs();
+}
+
+bool wide_apart(const Ring&) { return false; }
+
 }  // namespace
 
 bool CornerLine::fits() const { return holds(ground_, path()); }
@@ -91,16 +107,14 @@ std::vector<HeadlandRun> CornerLine::fitting_runs() const {
 }
 
 std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, double room_m) {
-  CornerLine corners{ground, ring, room_m};
-  bool moved = true;
-  for (int round = 0; moved && round < kMostRepairs; ++round) {
-    if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, kFollow_m));
-    corners.make_gentle();
-    moved = corners.repair();
+  std::vector<HeadlandRun> first;
+  for (const double stray_m : {kFollow_m, 5 * kFollow_m, 20 * kFollow_m}) {
+    std::vector<HeadlandRun> runs = runs_along(ground, ring, room_m, stray_m);
+    if (runs.size() == 1 && runs.front().closed) return runs;
+    if (first.empty()) first = std::move(runs);
+    if (wide_apart(ring)) break;
   }
-  if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, kFollow_m));
-  if (!moved && corners.fits()) return {{corners.path(), true}};
-  return corners.fitting_runs();
+  return first;
 }
 
 }  // namespace selion

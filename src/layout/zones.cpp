@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "selion/geometry/boolean.hpp"
+#include "selion/geometry/simplify.hpp"
 
 namespace selion {
 namespace {
@@ -46,7 +47,7 @@ bool leads_into(const BlockGate& gate, const Polygon& zone) {
 
 std::vector<Block> zones_of(const Block& block, const Machine& machine) {
   const double half_m = std::max(machine.working_width_m, machine.body_width_m) / 2 + kRoom_m;
-  Polygons cores = inset_round({block.free}, half_m);
+  Polygons cores = inset_round({evened(block.free).area}, half_m);
   std::erase_if(cores, [&](const Polygon& core) {
     return area_m2(core) < machine.working_width_m * machine.working_width_m;
   });

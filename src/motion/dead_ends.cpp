@@ -3,20 +3,29 @@
 
 #include <numbers>
 
+#include "selion/motion/leads.hpp"
+
 namespace selion {
 namespace {
 
-/// Straight on and a turn by a third of a circle, as long or short and to either side as it takes.
+template <class Fits>
+bool turns_at(const Pose& pose, const CurveLimits& limits, Fits fits) {
+  constexpr double kTurn_rad = 2 * std::numbers::pi / 3;
+  return fits(swing(pose, kTurn_rad, limits)) || fits(swing(pose, -kTurn_rad, limits));
+}
+
+/// Straight on or led off gently, and a turn by a third of a circle, as long or short and to either side as
+/// it takes.
 template <class Fits>
 bool turns_off(const Pose& pose, const CurveLimits& limits, Fits fits) {
-  constexpr double kTurn_rad = 2 * std::numbers::pi / 3;
   const double radius_m = 1 / limits.curvature_per_m;
   for (const double on_m : {0.0, radius_m, 2 * radius_m, 4 * radius_m}) {
     const Pose begin{pose.at + on_m * unit(pose.heading_rad), pose.heading_rad};
     if (on_m > 0 && !fits(Path{{line(pose.at, begin.at), Gear::forward}})) return false;
-    for (const double turn : {kTurn_rad, -kTurn_rad})
-      if (fits(swing(begin, turn, limits))) return true;
+    if (turns_at(begin, limits, fits)) return true;
   }
+  for (const Path& lead : leads_off(pose, limits))
+    if (fits(lead) && turns_at(end_pose(lead), limits, fits)) return true;
   return false;
 }
 

@@ -45,20 +45,13 @@ double local_heading_rad(const LocalFrame& frame, Point at, double bearing_deg) 
   return radians_of_degrees(90 - bearing_deg + frame.convergence_deg(at));
 }
 
-/// A border's steps and wiggles smaller than half the working width cost no swath piece: they must not choose
-/// the direction.
-Polygon without_wiggles(const Polygon& area, double tolerance_m) {
-  Polygon out{simplified(area.shell, tolerance_m), {}};
-  for (const Ring& hole : area.holes) out.holes.push_back(simplified(hole, tolerance_m));
-  return out;
-}
-
 /// Sets direction and heading as `layout.direction` says.
 std::optional<Infeasible> choose_direction(LayoutOptions& options, const Block& block,
                                            const LocalFrame& frame, const Job& job) {
   const std::string& how = job.layout.direction;
   if (how == "edge") {
-    options.along = best_edge_direction(without_wiggles(block.area, job.machine.working_width_m / 2));
+    // steps and wiggles smaller than half the working width cost no swath piece: they must not choose
+    options.along = best_edge_direction(simplified(block.area, job.machine.working_width_m / 2));
   } else if (how == "p3") {
     const auto found = p3_direction(block.area);
     if (!found) return found.error();

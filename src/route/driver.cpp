@@ -8,6 +8,7 @@
 
 #include "retreats.hpp"
 #include "selion/motion/dubins.hpp"
+#include "selion/motion/leads.hpp"
 #include "selion/motion/timed_turn.hpp"
 
 namespace selion {
@@ -113,11 +114,30 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals
   return best;
 }
 
+/// By a tight turn to a gentle lead onto one of the nearest goals.
+std::optional<Driver::Approach> Driver::turn_led_into(const std::vector<Goal>& goals) const {
+  constexpr std::size_t kMostLed = 16;
+  std::vector<Goal> beside;
+  std::vector<std::pair<std::size_t, Path>> leads;
+  for (std::size_t i = 0; i < std::min(kMostLed, goals.size()); ++i)
+    for (Path& lead : leads_onto(goals[i].pose, terrain_.limits)) {
+      if (!fits(space_, terrain_.footprint, lead)) continue;
+      beside.push_back({start_pose(lead), goals[i].rest_m + cost_m(terrain_, lead)});
+      leads.emplace_back(i, std::move(lead));
+    }
+  auto turn = turn_into(beside, terrain_.swings, longest_turn_m());
+  if (!turn) return std::nullopt;
+  const auto& [goal, lead] = leads[turn->goal];
+  append(turn->way, lead);
+  return Approach{goal, std::move(turn->way), turn->cost_m + cost_m(terrain_, lead)};
+}
+
 /// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane
-/// at the border swings out over it. Last, tight ones that are long.
+/// at the border swings out over it. Then by a lead; last, tight ones that are long.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
   for (const double wider : {1.0, 2.0, 4.0, 8.0})
     if (auto turn = turn_into(goals, swings(wider), longest_turn_m())) return turn;
+  if (auto turn = turn_led_into(goals)) return turn;
   return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m());
 }
 

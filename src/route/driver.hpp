@@ -52,6 +52,7 @@ class Driver {
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals);
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, const Swings& swings,
                                                   double most_m) const;
+  [[nodiscard]] std::optional<Approach> turn_led_into(const std::vector<Goal>& goals) const;
   [[nodiscard]] std::optional<Approach> turn_slowly_into(const std::vector<Goal>& goals);
   [[nodiscard]] const Swings& swings(double wider);
   [[nodiscard]] const Swings& slower_swings(double speed_mps);
