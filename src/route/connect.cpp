@@ -72,6 +72,11 @@ std::optional<Path> turn_ahead(const Terrain& terrain, const Swings& swings, con
   return std::nullopt;
 }
 
+/// No turn with a stop on its way takes less.
+double least_with_stop_s(const Machine& machine, const Pose& from, const Pose& to) {
+  return (distance_m(from.at, to.at) + stop_m(machine, machine.turn_speed_mps)) / machine.turn_speed_mps;
+}
+
 /// The fastest turn so far, and its seconds with those more by which its ground on the mainland is dearer.
 class Fastest {
  public:
@@ -92,6 +97,7 @@ class Fastest {
     const double time_s = turn_time_s(turn, terrain_.machine);
     keep(turn, time_s, time_s + dearer_s(turn));
   }
+  [[nodiscard]] bool beats(double time_s) const { return dear_s_ <= time_s; }
   [[nodiscard]] std::optional<Path> turn() && { return std::move(turn_); }
 
  private:
@@ -145,6 +151,7 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, co
   if (may == Manoeuvres{}) return ahead;
   Fastest fastest{terrain, longest};
   if (ahead) fastest.begin_with(*ahead);
+  if (fastest.beats(least_with_stop_s(terrain.machine, from, to))) return ahead;
   for (const TurnKind& kind : turns())
     if (kind.needs != Needs::nothing && allows(may, kind.needs))
       for (const Path& turn : kind.candidates(from, to, swings)) fastest.offer(turn);

@@ -44,16 +44,25 @@ void add_both_ways(std::vector<Track>& tracks, const Terrain& terrain, const Pat
     if (fits(terrain.space, terrain.footprint, way)) tracks.push_back(track_of(way, closed));
 }
 
+/// Of lines side by side, closer together than a turn from one to the next is wide, only so many lead
+/// elsewhere than their neighbours.
+int lines_apart(const Machine& machine, const Terrain& terrain) {
+  return std::max(1, static_cast<int>(2 / terrain.limits.curvature_per_m / machine.working_width_m));
+}
+
 }  // namespace
 
 std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const Terrain& terrain) {
+  const int apart = lines_apart(machine, terrain);
   std::vector<Track> tracks;
   for (const HeadlandPass& pass : layout.headland_passes)
-    add_both_ways(tracks, terrain, pass.path, pass.closed);
+    if (!pass.closed || pass.ring == 1 || (layout.passes - pass.ring) % apart == 0)
+      add_both_ways(tracks, terrain, pass.path, pass.closed);
   for (const Swath& pocket : layout.pockets)
     add_both_ways(tracks, terrain, pocket_way(terrain, machine, pocket), false);
   const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
   for (const Swath& swath : layout.swaths) {
+    if (swath.strip % apart != 0) continue;
     for (const Sense sense : {Sense::forth, Sense::back})
       if (const Path way = swath_way(machine, swath, sense); fits(terrain.space, terrain.footprint, way))
         tracks.push_back(swath_track(terrain, way, near_m));

@@ -93,28 +93,36 @@ std::vector<std::size_t> Roads::likely_before(const Pose& to) const {
   return foremost(std::move(ranked));
 }
 
-/// To the next station of its own line: known at once.
-void Roads::add_next(Links& links, std::size_t node) const {
+/// To the next station of its own line, known at once; none where the line ends.
+Roads::Links& Roads::next_on_line(std::size_t node) {
+  const auto [known, is_new] = next_.try_emplace(node);
   const Track& track = tracks_[nodes_[node].track];
   const std::size_t here = nodes_[node].station;
   const bool last = here + 1 == track.stations.size();
   const std::size_t next = last ? node - here : node + 1;
-  if ((last && !track.closed) || next == node) return;
+  if (!is_new || (last && !track.closed) || next == node) return known->second;
   Link link = link_between(terrain_, next, pose(node), pose(next));
   link.path = part_of(track.path, track.stations[here].s_m, track.stations[nodes_[next].station].s_m);
   link.cost_m = cost_m(terrain_, link.path);
   link.worked_out = true;
-  links.push_back(std::move(link));
+  known->second.push_back(std::move(link));
+  return known->second;
 }
 
-Roads::Links& Roads::links(std::size_t node) {
-  const auto known = links_.find(node);
-  if (known != links_.end()) return known->second;
-  Links found;
-  add_next(found, node);
-  for (const std::size_t other : likely_after(pose(node), nodes_[node].track))
-    found.push_back(link_between(terrain_, other, pose(node), pose(other)));
-  return links_.emplace(node, std::move(found)).first->second;
+/// Far from where a search begins and ends, junctions are enough.
+bool Roads::leaves_by_turns(Quest& quest, std::size_t node) const {
+  const Track::Station& station = tracks_[nodes_[node].track].stations[nodes_[node].station];
+  const double close_m = 2 * reach_m_;
+  return station.is_junction || distance_m(station.pose.at, quest.from.at) < close_m ||
+         rest_m(quest, node) < kGreed * close_m;
+}
+
+Roads::Links& Roads::turns_from(std::size_t node) {
+  const auto [known, is_new] = turns_.try_emplace(node);
+  if (is_new)
+    for (const std::size_t other : likely_after(pose(node), nodes_[node].track))
+      known->second.push_back(link_between(terrain_, other, pose(node), pose(other)));
+  return known->second;
 }
 
 void Roads::add_starts(Quest& quest, const Pose& from, const std::vector<Path>& retreats) const {
@@ -177,7 +185,8 @@ void Roads::expand(Frontier& frontier, const Frontier::Entry& next, Quest& quest
     work_out(terrain_, *next.link);
     frontier.drive(next.node, *next.link, rest_m(quest, next.link->to));
   } else if (!frontier.outdated(next, rest_m(quest, next.node))) {
-    propose(links(next.node));
+    propose(next_on_line(next.node));
+    if (leaves_by_turns(quest, next.node)) propose(turns_from(next.node));
     if (const auto end = quest.ends.find(next.node); end != quest.ends.end()) propose(end->second);
   }
 }
@@ -205,7 +214,7 @@ std::optional<Arrival> Roads::beyond(const Pose& from, const Frontier& frontier,
 /// Weighted A* (Pohl 1970).
 std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goals,
                                   const std::vector<Path>& retreats) {
-  Quest quest{goals, {}, {}, {}, {}};
+  Quest quest{from, goals, {}, {}, {}, {}};
   add_starts(quest, from, retreats);
   for (const Pose& goal : goals)
     quest.runs_back.push_back(goals.size() <= kBackedInto ? runs_back_into(goal) : std::vector<Path>{});

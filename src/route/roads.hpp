@@ -21,6 +21,7 @@ struct Track {
   struct Station {
     double s_m = 0;
     Pose pose;
+    bool is_junction = true;  ///< left by turns also by those who only pass
   };
   std::vector<Station> stations;  ///< in order of s
 };
@@ -56,6 +57,7 @@ class Roads {
 
   /// What one search looks for; its goals are nodes beyond those of the network.
   struct Quest {
+    const Pose& from;
     const std::vector<Pose>& goals;
     Links starts;
     std::unordered_map<std::size_t, Links> ends;
@@ -68,8 +70,9 @@ class Roads {
   [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked) const;
   [[nodiscard]] std::vector<std::size_t> likely_after(const Pose& from, std::size_t but_track) const;
   [[nodiscard]] std::vector<std::size_t> likely_before(const Pose& to) const;
-  Links& links(std::size_t node);
-  void add_next(Links& links, std::size_t node) const;
+  [[nodiscard]] bool leaves_by_turns(Quest& quest, std::size_t node) const;
+  Links& turns_from(std::size_t node);
+  Links& next_on_line(std::size_t node);
   void add_starts(Quest& quest, const Pose& from, const std::vector<Path>& retreats) const;
   void add_ends(Quest& quest, std::size_t goal) const;
   [[nodiscard]] std::vector<Path> runs_back_into(const Pose& to) const;
@@ -84,7 +87,8 @@ class Roads {
   std::vector<Node> nodes_;
   double reach_m_;
   std::unordered_map<long long, std::vector<std::size_t>> cells_;
-  std::unordered_map<std::size_t, Links> links_;
+  std::unordered_map<std::size_t, Links> turns_;
+  std::unordered_map<std::size_t, Links> next_;
 };
 
 }  // namespace selion

@@ -14,6 +14,13 @@ Curve part_of(const Curve& curve, double from_m, double to_m) {
   return {at.at, at.heading_rad, at.curvature_per_m, curve.sharpness_per_m2, to_m - from_m};
 }
 
+/// Of the stations on one straight: the ones at its ends, and a few between.
+bool is_junction(int station, int count) {
+  constexpr int kAtEnd = 2;
+  constexpr int kEvery = 8;
+  return station < kAtEnd || station >= count - kAtEnd || station % kEvery == 0;
+}
+
 bool straight(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
 
 }  // namespace
@@ -59,11 +66,11 @@ Track track_of(const Path& path, bool closed) {
     const int steps = std::max(1, static_cast<int>(std::ceil(length / kStationStep_m)));
     for (int i = 0; straight(stretch.curve) && i < steps; ++i) {
       const double s = length * (i + 0.5) / steps;
-      track.stations.push_back({before + s, vehicle_pose(stretch, s)});
+      track.stations.push_back({before + s, vehicle_pose(stretch, s), is_junction(i, steps)});
     }
     before += length;
   }
-  if (!closed && !path.empty()) track.stations.push_back({track.length_m, end_pose(path)});
+  if (!closed && !path.empty()) track.stations.push_back({track.length_m, end_pose(path), true});
   return track;
 }
 

@@ -17,12 +17,6 @@ void move_to_end(std::vector<Task>& tasks, std::vector<Task>& from) {
   from.clear();
 }
 
-std::vector<const HeadlandPass*> passes_of(const Layout& layout) {
-  std::vector<const HeadlandPass*> passes;
-  for (const HeadlandPass& pass : layout.headland_passes) passes.push_back(&pass);
-  return passes;
-}
-
 bool fits_both_ways(const Terrain& terrain, const Layout& layout) {
   return std::all_of(layout.headland_passes.begin(), layout.headland_passes.end(),
                      [&](const HeadlandPass& pass) {
@@ -136,49 +130,36 @@ void Work::put_off() { work_nearest(std::exchange(put_off_, {})); }
 
 /// Ends where the swaths begin: at the nearest end of a chain.
 void Work::headland_inwards() {
-  std::vector<const HeadlandPass*> order = passes_of(layout_);
-  std::stable_sort(order.begin(), order.end(),
-                   [](const HeadlandPass* a, const HeadlandPass* b) { return a->ring < b->ring; });
   std::vector<Point> entries;
   for (const Chain& chain : chains_of(layout_.swaths, layout_.along))
     for (const Swath* swath : {chain.front(), chain.back()}) {
       entries.push_back(swath->from);
       entries.push_back(swath->to);
     }
-  work_rings(order, entries);
+  work_rings({layout_, driver_.machine().working_width_m, RingSense::inwards}, entries, std::nullopt);
 }
 
 void Work::headland_outwards(const std::optional<Point>& gate) {
-  std::vector<const HeadlandPass*> order = passes_of(layout_);
-  std::stable_sort(order.begin(), order.end(),
-                   [](const HeadlandPass* a, const HeadlandPass* b) { return a->ring > b->ring; });
-  work_rings(order, gate ? std::vector{*gate} : std::vector<Point>{});
+  work_rings({layout_, driver_.machine().working_width_m, RingSense::outwards},
+             gate ? std::vector{*gate} : std::vector<Point>{}, gate);
 }
 
-/// Of several passes of the last ring, none knows which one will be the last: all end as near to it as they
-/// can.
-void Work::work_rings(const std::vector<const HeadlandPass*>& order, const std::vector<Point>& then_to) {
-  for (auto first = order.begin(); first != order.end();) {
-    const auto last = std::find_if(first, order.end(),
-                                   [&](const HeadlandPass* pass) { return pass->ring != (*first)->ring; });
-    then_to_ = last == order.end() ? then_to : std::vector<Point>{};
-    work_ring({first, last});
-    first = last;
-  }
-}
-
-/// Passes of one depth: nearest first.
-void Work::work_ring(std::vector<const HeadlandPass*> passes) {
+/// Each ends where the next one is near: beside it, in the next group, or what comes after all.
+void Work::work_rings(RingOrder order, const std::vector<Point>& at_last,
+                      const std::optional<Point>& last_near) {
   std::vector<Task> failed;
-  while (!passes.empty()) {
-    const auto nearest =
-        std::min_element(passes.begin(), passes.end(), [this](const HeadlandPass* a, const HeadlandPass* b) {
-          return far_m(driver_.here(), start_pose(a->path)) < far_m(driver_.here(), start_pose(b->path));
-        });
-    Task task = pass_task(**nearest);
-    if (!driver_.drive_to(task) && !work_turned(**nearest) && !drive_on_to(task))
+  while (!order.empty()) {
+    const auto here = driver_.here() ? std::optional{driver_.here()->at} : std::nullopt;
+    const std::size_t next = order.nearest(here, last_near);
+    order.done(next);
+    if (order.empty())
+      then_to_ = at_last;
+    else
+      then_to_ = order.ends_group(next) ? order.next_places() : std::vector<Point>{};
+    const HeadlandPass& pass = order.pass(next);
+    Task task = pass_task(pass);
+    if (!driver_.drive_to(task) && !work_turned(pass) && !drive_on_to(task))
       failed.push_back(std::move(task));
-    passes.erase(nearest);
   }
   work_nearest(std::move(failed));
 }

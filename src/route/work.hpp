@@ -6,6 +6,7 @@
 
 #include "chains.hpp"
 #include "driver.hpp"
+#include "ring_order.hpp"
 #include "selion/core/progress.hpp"
 
 namespace selion {
@@ -20,8 +21,8 @@ class Work {
   void swaths(const Progress& progress);
   /// Pockets, and what was put off, nearest first.
   void pockets();
-  /// Ring by ring, from the outermost in, to end near the first swath, or from the innermost out, to end near
-  /// the gate, if there is one.
+  /// Ring by ring, around one obstacle after the other, from the border in, to end near the first swath, or out
+  /// to the border, to end near the gate, if there is one.
   void headland_inwards();
   void headland_outwards(const std::optional<Point>& gate);
   /// Once more what was put off.
@@ -42,8 +43,7 @@ class Work {
   [[nodiscard]] double nearness_m(const Task& task) const;
   void work_nearest(std::vector<Task> tasks);
   [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
-  void work_rings(const std::vector<const HeadlandPass*>& order, const std::vector<Point>& then_to);
-  void work_ring(std::vector<const HeadlandPass*> passes);
+  void work_rings(RingOrder order, const std::vector<Point>& at_last, const std::optional<Point>& last_near);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
   bool work_turned(const HeadlandPass& pass);
   bool drive_on_to(const Task& task);
