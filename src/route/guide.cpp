@@ -9,13 +9,13 @@
 namespace selion {
 namespace {
 
-constexpr double kMostCells = 500;  // a side of the grid
 constexpr double kLeastCell_m = 0.75;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m) {
+Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m,
+             double most_cells) {
   Ring places{from.at};
   for (const Pose& goal : goals) places.push_back(goal.at);
   const Box field = bounds(terrain.space.area().shell);
@@ -24,7 +24,7 @@ Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& 
   const Point high{std::min(field.high.x_m, all.high.x_m + margin_m),
                    std::min(field.high.y_m, all.high.y_m + margin_m)};
   const Point size = high - low_;
-  cell_m_ = std::max(kLeastCell_m, std::max(size.x_m, size.y_m) / kMostCells);
+  cell_m_ = std::max(kLeastCell_m, std::max(size.x_m, size.y_m) / most_cells);
   columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 1;
   rows_ = static_cast<std::size_t>(std::max(0.0, size.y_m) / cell_m_) + 1;
   distance_.assign(columns_ * rows_, kFar);

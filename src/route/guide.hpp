@@ -16,8 +16,9 @@ namespace selion {
 /// search.
 class Guide {
  public:
-  /// Over the field within `margin_m` of the box around all poses.
-  Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m);
+  /// Over the field within `margin_m` of the box around all poses, at most `most_cells` a side.
+  Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m,
+        double most_cells = 500);
 
   /// Infinite where no way was found.
   [[nodiscard]] double to_goal_m(Point p) const;

@@ -16,6 +16,8 @@ constexpr std::size_t kMostVisited = 100000;
 constexpr double kGreed = 1.3;             // weight of the distance to go: within this factor of the best
 constexpr std::size_t kBackedInto = 4;     // goals: of more, some can be driven into forwards
 constexpr double kFarthestBeyond_m = 150;  // of a straight run backwards into a pose
+constexpr double kFar = 8;          // reaches: further off, dearer ground counts
+constexpr double kGuideCells = 150;  // a side: fine enough to tell headland from mainland on a large field
 constexpr std::size_t kNoTrack = std::numeric_limits<std::size_t>::max();
 
 long long cell_key(double x, double y) {
@@ -165,14 +167,21 @@ void Roads::add_ends(Quest& quest, std::size_t goal) const {
   for (const Path& run : quest.runs_back[goal]) add(start_pose(run), &run);
 }
 
-/// As the crow flies to the nearest goal, times kGreed.
+double Roads::crow_m(const Pose& from, const std::vector<Pose>& goals) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const Pose& goal : goals) least_m = std::min(least_m, distance_m(from.at, goal.at));
+  return least_m;
+}
+
+/// By the guide, or as the crow flies to the nearest goal, times kGreed.
 double Roads::rest_m(Quest& quest, std::size_t node) const {
   if (node >= nodes_.size()) return 0;
-  const auto [known, is_new] = quest.rest_m.try_emplace(node, std::numeric_limits<double>::infinity());
-  if (is_new)
-    for (const Pose& goal : quest.goals)
-      known->second = std::min(known->second, kGreed * distance_m(pose(node).at, goal.at));
-  return known->second;
+  const auto [known, is_new] = quest.rest_m.try_emplace(node, 0);
+  if (!is_new) return known->second;
+  const Pose& here = pose(node);
+  double rest_m = quest.guide ? quest.guide->to_goal_m(here.at) : crow_m(here, quest.goals);
+  if (std::isinf(rest_m)) rest_m = crow_m(here, quest.goals);
+  return known->second = kGreed * rest_m;
 }
 
 /// Works out a proposed link and drives it, or leaves a node by all its links.
@@ -214,7 +223,9 @@ std::optional<Arrival> Roads::beyond(const Pose& from, const Frontier& frontier,
 /// Weighted A* (Pohl 1970).
 std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goals,
                                   const std::vector<Path>& retreats) {
-  Quest quest{from, goals, {}, {}, {}, {}};
+  Quest quest{from, goals, {}, {}, {}, {}, {}};
+  if (crow_m(from, goals) > kFar * reach_m_)
+    quest.guide.emplace(terrain_, from, goals, std::numeric_limits<double>::infinity(), kGuideCells);
   add_starts(quest, from, retreats);
   for (const Pose& goal : goals)
     quest.runs_back.push_back(goals.size() <= kBackedInto ? runs_back_into(goal) : std::vector<Path>{});

@@ -7,6 +7,7 @@
 
 #include "connect.hpp"
 #include "frontier.hpp"
+#include "guide.hpp"
 
 namespace selion {
 
@@ -63,6 +64,7 @@ class Roads {
     std::unordered_map<std::size_t, Links> ends;
     std::vector<std::vector<Path>> runs_back;  ///< into each goal
     std::unordered_map<std::size_t, double> rest_m;
+    std::optional<Guide> guide;  ///< over a long way
   };
 
   [[nodiscard]] const Pose& pose(std::size_t node) const;
@@ -76,6 +78,7 @@ class Roads {
   void add_starts(Quest& quest, const Pose& from, const std::vector<Path>& retreats) const;
   void add_ends(Quest& quest, std::size_t goal) const;
   [[nodiscard]] std::vector<Path> runs_back_into(const Pose& to) const;
+  [[nodiscard]] static double crow_m(const Pose& from, const std::vector<Pose>& goals);
   double rest_m(Quest& quest, std::size_t node) const;
   [[nodiscard]] std::optional<Arrival> beyond(const Pose& from, const Frontier& frontier,
                                               const std::vector<Pose>& goals,
