@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string_view>
 #include <optional>
 #include <utility>
 
@@ -27,6 +29,16 @@ struct LocalFrame::Projection {
 namespace {
 
 constexpr const char* kWgs84 = "+proj=longlat +datum=WGS84 +no_defs +type=crs";
+
+constexpr double kRadians = std::numbers::pi / 180;  // of a degree
+constexpr std::string_view kOnWgs84 = " +datum=WGS84";
+
+/// From radians, for a plane of the same datum: its own formulas, without the search for operations between two
+/// reference systems and without the choice of one at every point.
+ProjObject plain_projection(const ProjContext& context, std::string plane) {
+  plane.replace(plane.find(kOnWgs84), kOnWgs84.size(), " +ellps=WGS84");
+  return ProjObject{proj_create(context.get(), plane.c_str())};
+}
 
 ProjObject transformation(const ProjContext& context, const std::string& plane) {
   const ProjObject raw{
@@ -130,10 +142,11 @@ std::string proj_string_of(const ProjContext& context, const std::string& code, 
 
 LocalFrame::LocalFrame(std::string proj, LonLat origin) : proj_{std::move(proj)}, origin_{origin} {
   auto made = std::make_shared<Projection>();
-  made->from_wgs84 = transformation(made->context, proj_);
+  same_datum_ = proj_.find(kOnWgs84) != std::string::npos;
+  made->from_wgs84 =
+      same_datum_ ? plain_projection(made->context, proj_) : transformation(made->context, proj_);
   if (!made->from_wgs84) throw InputError{"PROJ makes no projection of '" + proj_ + "'; use the frame auto"};
   projection_ = std::move(made);
-  same_datum_ = proj_.find(" +datum=WGS84") != std::string::npos;
 }
 
 LocalFrame LocalFrame::centred(LonLat origin) {
@@ -174,8 +187,9 @@ LocalFrame LocalFrame::of_crs(const std::string& code, LonLat origin) {
 }
 
 Point LocalFrame::to_local(LonLat p) const {
-  const PJ_COORD out =
-      proj_trans(projection_->from_wgs84.get(), PJ_FWD, proj_coord(p.lon_deg, p.lat_deg, 0, HUGE_VAL));
+  const double unit = same_datum_ ? kRadians : 1;
+  const PJ_COORD out = proj_trans(projection_->from_wgs84.get(), PJ_FWD,
+                                  proj_coord(p.lon_deg * unit, p.lat_deg * unit, 0, HUGE_VAL));
   return {out.xy.x, out.xy.y};
 }
 
@@ -188,8 +202,8 @@ LonLat LocalFrame::to_lonlat(Point p) const {
   for (int i = 0; i < kMost; ++i) {
     const PJ_COORD out =
         proj_trans(projection_->from_wgs84.get(), PJ_INV, proj_coord(aim.x_m, aim.y_m, 0, HUGE_VAL));
+    if (same_datum_) return {out.xy.x / kRadians, out.xy.y / kRadians};
     found = {out.xy.x, out.xy.y};
-    if (same_datum_) break;
     const Point missed = p - to_local(found);
     if (!(length_m(missed) > kExact_m)) break;
     aim = aim + missed;

@@ -93,7 +93,7 @@ Polygons combined(ClipperLib::ClipType what, const Paths& subject, const Paths& 
 
 Polygons moved_border(const Polygons& areas, double by_m, ClipperLib::JoinType join, double miter_limit) {
   ClipperLib::ClipperOffset offset{miter_limit, kArcTolerance_m * kGrid_per_m};
-  offset.AddPaths(to_grid(areas.size() == 1 ? areas : unite(areas)), join, ClipperLib::etClosedPolygon);
+  offset.AddPaths(to_grid(areas), join, ClipperLib::etClosedPolygon);
   ClipperLib::PolyTree tree;
   offset.Execute(tree, by_m * kGrid_per_m);
   return from_grid(tree);

@@ -70,9 +70,13 @@ std::vector<CornerLine::Vertex> CornerLine::wide(Index i, double by_rad) const {
   for (Vertex& part : by) {
     part.pushed = true;
     part.may_gentle = part.gentle = false;
-    part.shape = tight_shape(part.turn_rad, part.room_m);
-    part.reach = reach_of(part.turn_rad, part.shape);
   }
+  for (const Index k : {Index{0}, Index{1}}) {
+    by[k].shape = tight_shape(by[k].turn_rad, by[k].room_m);
+    by[k].reach = reach_of(by[k].turn_rad, by[k].shape);
+  }
+  by[2].shape = by[0].shape;
+  by[2].reach = by[0].reach;
   const double out_m = by[0].reach.after_m + by[1].reach.before_m + kBetween_m;
   const double back_m = by[1].reach.after_m + by[2].reach.before_m + kBetween_m;
   const double begin_m = (out_m * std::sin(turn + by_rad) - back_m * std::sin(by_rad)) / std::sin(turn);

@@ -32,10 +32,21 @@ std::vector<Ring> rings_of(const Polygons& areas) {
   return rings;
 }
 
+bool is_convex(const Polygon& area) {
+  const Ring& ring = area.shell;
+  const std::size_t count = ring.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point before = ring[(i + count - 1) % count];
+    if (cross(ring[i] - before, ring[(i + 1) % count] - ring[i]) < 0) return false;
+  }
+  return area.holes.empty();
+}
+
 /// Less what is too narrow to drive in and out of again side by side.
 Polygons without_slits(const Ground& ground, const Polygons& areas) {
   constexpr double kOfRadius = 0.6;
   constexpr double kSharpest = 20;
+  if (areas.size() == 1 && is_convex(areas.front())) return areas;
   const double narrow_m = kOfRadius / max_curvature_per_m(ground.machine);
   return intersect(outset(inset(areas, narrow_m), narrow_m, kSharpest), areas);
 }

@@ -28,8 +28,7 @@ Polygons left_by(const Ground& ground, const Layout& layout, const std::vector<S
   for (const HeadlandPass& pass : layout.headland_passes) take(pass.path);
   for (const Swath& swath : layout.swaths) take(swath_path(ground.machine, swath.from, swath.to));
   for (const Swath& swath : pockets) take(swath_path(ground.machine, swath.from, swath.to));
-  return turned(subtract(turned(ground.workable, flat_rad), unite(turned(std::move(swept), flat_rad))),
-                -flat_rad);
+  return turned(subtract(turned(ground.workable, flat_rad), turned(std::move(swept), flat_rad)), -flat_rad);
 }
 
 /// The heading along which the part is narrowest across: one of its own edges' (Freeman and Shapira 1975).

@@ -2,7 +2,7 @@
 #include "coverage.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <numbers>
 #include <set>
 
 #include "selion/motion/footprint.hpp"
@@ -24,18 +24,14 @@ class Tally {
 
   /// What the tool sweeps on the path: where it comes over its own ground again, that counts again.
   void add(const Footprint& footprint, const Path& path) {
-    Polygons steps;
     for (Ring& ring : swept_by_tool(footprint, path)) {
       swept_.sum_m2 += signed_area_m2(ring);
-      steps.push_back({std::move(ring), {}});
+      all_.push_back({std::move(ring), {}});
     }
-    steps = turned(std::move(steps), turned_rad_);
-    if (steps.size() > 1) steps = unite(steps);
-    all_.insert(all_.end(), std::make_move_iterator(steps.begin()), std::make_move_iterator(steps.end()));
   }
-  Swept united() {
-    swept_.together = unite(all_);
-    return swept_;
+  Swept united() && {
+    swept_.together = unite(turned(std::move(all_), turned_rad_));
+    return std::move(swept_);
   }
 
  private:
@@ -66,20 +62,21 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
     else if (piece.kind == PieceKind::swath)
       (pocket_ids.contains(piece.ref) ? pocket_tally : swath_tally).add(footprint, piece.path);
   }
-  const Swept headland = headland_tally.united();
-  const Swept swaths = swath_tally.united();
-  const Swept pockets = pocket_tally.united();
+  const Swept headland = std::move(headland_tally).united();
+  const Swept swaths = std::move(swath_tally).united();
+  const Swept pockets = std::move(pocket_tally).united();
   const Polygons main = joined(headland.together, swaths.together);
-  const Polygons all = joined(main, pockets.together);
-  const Polygons area = turned({block.area}, flat_rad);
+  const Polygons all = pockets.together.empty() ? main : joined(main, pockets.together);
+  Polygons left = subtract(turned({block.area}, flat_rad), all);
 
   Coverage coverage;
-  coverage.covered_m2 = area_m2(intersect(all, area));
+  coverage.covered_m2 = area_m2(block.area) - area_m2(left);
   coverage.twice.corners_m2 = headland.sum_m2 - area_m2(headland.together);
   coverage.twice.last_strip_m2 = swaths.sum_m2 - area_m2(swaths.together);
   coverage.twice.wedges_m2 = area_m2(headland.together) + area_m2(swaths.together) - area_m2(main);
   coverage.twice.pockets_m2 = pockets.sum_m2 - (area_m2(all) - area_m2(main));
-  coverage.uncovered = turned(outset(inset(subtract(area, all), kGap_m), kGap_m, 2), -flat_rad);
+  std::erase_if(left, [](const Polygon& part) { return area_m2(part) < std::numbers::pi * kGap_m * kGap_m; });
+  coverage.uncovered = turned(outset(inset(left, kGap_m), kGap_m, 2), -flat_rad);
   return coverage;
 }
 

@@ -97,7 +97,8 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals
   std::vector<std::pair<double, std::size_t>> ranked;
   const double radius_m = 1 / swings.limits().curvature_per_m;
   for (std::size_t i = 0; i < goals.size(); ++i)
-    ranked.emplace_back(dubins_length_m(*here_, goals[i].pose, radius_m) + goals[i].rest_m, i);
+    if (far_m(here_, goals[i].pose) <= most_m)
+      ranked.emplace_back(dubins_length_m(*here_, goals[i].pose, radius_m) + goals[i].rest_m, i);
   std::sort(ranked.begin(), ranked.end());
   std::optional<Approach> best;
   double best_m = most_m;

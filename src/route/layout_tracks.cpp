@@ -17,6 +17,7 @@ bool near_box(const Box& box, Point p, double near_m) {
 
 /// Swaths serve as roads to and from obstacles inside: they are joined at their ends and beside those only.
 Track swath_track(const Terrain& terrain, const Path& way, double near_m) {
+  if (terrain.space.area().holes.empty()) return track_joined_at_ends(way, kSwathEnd_m);
   Track track = track_of(way, false);
   const auto beside_hole = [&](const Track::Station& station) {
     const auto& holes = terrain.space.area().holes;

@@ -28,6 +28,8 @@ struct Track {
 };
 
 Track track_of(const Path& path, bool closed);
+/// Of a straight line, joined and left within `end_m` of its ends only.
+Track track_joined_at_ends(const Path& line, double end_m);
 /// Every line of the layout, in each direction in which the machine fits on it.
 std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const Terrain& terrain);
 /// A straight way on from a pose, as far as the machine fits, 20 m at most; empty where it fits nowhere.

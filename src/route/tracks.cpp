@@ -14,6 +14,10 @@ Curve part_of(const Curve& curve, double from_m, double to_m) {
   return {at.at, at.heading_rad, at.curvature_per_m, curve.sharpness_per_m2, to_m - from_m};
 }
 
+int station_count(double straight_m) {
+  return std::max(1, static_cast<int>(std::ceil(straight_m / kStationStep_m)));
+}
+
 /// Of the stations on one straight: the ones at its ends, and a few between.
 bool is_junction(int station, int count) {
   constexpr int kAtEnd = 2;
@@ -58,12 +62,24 @@ Path run_on(const Terrain& terrain, const Pose& from) {
   return {{line(from.at, from.at + far_m * unit(from.heading_rad)), Gear::forward}};
 }
 
+Track track_joined_at_ends(const Path& line, double end_m) {
+  Track track{line, false, length_m(line), {}};
+  const int steps = station_count(track.length_m);
+  for (int i = 0; i < steps; ++i) {
+    const double s = track.length_m * (i + 0.5) / steps;
+    if (s > end_m && s < track.length_m - end_m) continue;
+    track.stations.push_back({s, vehicle_pose(line.front(), s), true});
+  }
+  track.stations.push_back({track.length_m, end_pose(line), true});
+  return track;
+}
+
 Track track_of(const Path& path, bool closed) {
   Track track{path, closed, length_m(path), {}};
   double before = 0;
   for (const Stretch& stretch : path) {
     const double length = stretch.curve.length_m;
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / kStationStep_m)));
+    const int steps = station_count(length);
     for (int i = 0; straight(stretch.curve) && i < steps; ++i) {
       const double s = length * (i + 0.5) / steps;
       track.stations.push_back({before + s, vehicle_pose(stretch, s), is_junction(i, steps)});

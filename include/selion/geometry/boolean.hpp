@@ -20,8 +20,8 @@ Polygons subtract(const Polygons& a, const Polygons& b);
 /// many times faster where they lie from west to east.
 Polygons turned(Polygons areas, double by_rad);
 
-/// `areas`, none of which overlaps itself, shrunk by `distance_m` >= 0 on every side. Mitred: corners stay
-/// sharp.
+/// `areas`, none of which overlaps itself or another, shrunk by `distance_m` >= 0 on every side. Mitred:
+/// corners stay sharp.
 Polygons inset(const Polygons& areas, double distance_m);
 /// Shrunk with rounded reflex corners: exactly the places at least `distance_m` from the border.
 Polygons inset_round(const Polygons& areas, double distance_m);
