@@ -48,13 +48,25 @@ CornerShape CornerLine::tight_shape(double turn_rad, double room_m) const {
   return shape_within(turn_rad, tight_, ground_.footprint, room_m);
 }
 
+/// Kept where nothing has changed but rounding.
+void CornerLine::make_shape(Vertex& v) const {
+  constexpr double kSame = 1e-9;  // rad, m
+  if (std::abs(v.turn_rad - v.shaped_for_rad) < kSame && std::abs(v.room_m - v.shaped_in_m) < kSame)
+    return;
+  v.shaped_for_rad = v.turn_rad;
+  v.shaped_in_m = v.room_m;
+  v.shape =
+      std::abs(v.turn_rad) > kSharpest_rad ? CornerShape{tight_} : tight_shape(v.turn_rad, v.room_m);
+}
+
 void CornerLine::measure(Index i) {
   constexpr double kNoRoom = std::numeric_limits<double>::infinity();
   Vertex& v = vertices_[i];
+  if (v.gentle) v.shaped_in_m = -1;
   v.gentle = v.corner_stays = v.edge_stays = vertices_[v.previous].edge_stays = false;
   v.turn_rad = wrapped(heading_rad(edge(i)) - heading_rad(edge(v.previous)));
   const bool too_sharp = std::abs(v.turn_rad) > kSharpest_rad;
-  v.shape = too_sharp ? CornerShape{tight_} : tight_shape(v.turn_rad, v.room_m);
+  make_shape(v);
   v.reach = too_sharp ? CornerReach{kNoRoom, kNoRoom, 0} : reach_of(v.turn_rad, v.shape);
 }
 

@@ -47,6 +47,8 @@ class CornerLine {
     bool edge_stays = false;    ///< the same of the edge after it
     double turn_rad = 0;
     CornerShape shape;
+    double shaped_for_rad = 0;  ///< the turn and the room that the shape was made for
+    double shaped_in_m = -1;
     CornerReach reach;
   };
   /// An edge shorter than its corners need.
@@ -64,6 +66,7 @@ class CornerLine {
   [[nodiscard]] Point edge(Index i) const { return vertices_[next(i)].at - vertices_[i].at; }
   [[nodiscard]] double room_m(Index i) const;
   [[nodiscard]] CornerShape tight_shape(double turn_rad, double room_m) const;
+  void make_shape(Vertex& v) const;
   void measure(Index i);
   void measure_around(Index i);
   void measure_all();

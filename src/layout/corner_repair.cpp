@@ -72,10 +72,12 @@ std::vector<CornerLine::Vertex> CornerLine::wide(Index i, double by_rad) const {
     part.may_gentle = part.gentle = false;
   }
   for (const Index k : {Index{0}, Index{1}}) {
-    by[k].shape = tight_shape(by[k].turn_rad, by[k].room_m);
+    make_shape(by[k]);
     by[k].reach = reach_of(by[k].turn_rad, by[k].shape);
   }
   by[2].shape = by[0].shape;
+  by[2].shaped_for_rad = by[0].shaped_for_rad;
+  by[2].shaped_in_m = by[0].shaped_in_m;
   by[2].reach = by[0].reach;
   const double out_m = by[0].reach.after_m + by[1].reach.before_m + kBetween_m;
   const double back_m = by[1].reach.after_m + by[2].reach.before_m + kBetween_m;

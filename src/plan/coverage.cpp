@@ -2,7 +2,7 @@
 #include "coverage.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <utility>
 #include <set>
 
 #include "selion/motion/footprint.hpp"
@@ -10,7 +10,13 @@
 namespace selion {
 namespace {
 
-constexpr double kGap_m = 0.005;  // narrower than twice this is rounding between sweeps, not unworked ground
+/// Narrower than a centimetre on average: rounding between sweeps, not unworked ground.
+bool is_gap(const Polygon& part) {
+  constexpr double kHalf_m = 0.005;
+  double around_m = perimeter_m(part.shell);
+  for (const Ring& hole : part.holes) around_m += perimeter_m(hole);
+  return area_m2(part) < kHalf_m * around_m;
+}
 
 /// The areas of some pieces: each step of the tool for itself, summed, and all together.
 struct Swept {
@@ -75,8 +81,8 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
   coverage.twice.last_strip_m2 = swaths.sum_m2 - area_m2(swaths.together);
   coverage.twice.wedges_m2 = area_m2(headland.together) + area_m2(swaths.together) - area_m2(main);
   coverage.twice.pockets_m2 = pockets.sum_m2 - (area_m2(all) - area_m2(main));
-  std::erase_if(left, [](const Polygon& part) { return area_m2(part) < std::numbers::pi * kGap_m * kGap_m; });
-  coverage.uncovered = turned(outset(inset(left, kGap_m), kGap_m, 2), -flat_rad);
+  std::erase_if(left, is_gap);
+  coverage.uncovered = turned(std::move(left), -flat_rad);
   return coverage;
 }
 

@@ -33,6 +33,10 @@ double guess_m(const Pose& from, const Pose& to, double radius_m) {
                                        std::abs(wrapped(to.heading_rad - bearing)));
 }
 
+auto place_of(const std::vector<std::pair<double, std::size_t>>& ranked, std::size_t node) {
+  return std::find_if(ranked.begin(), ranked.end(), [node](const auto& entry) { return entry.second == node; });
+}
+
 }  // namespace
 
 Roads::Roads(const Terrain& terrain, std::vector<Track> tracks)
@@ -67,10 +71,29 @@ std::vector<std::size_t> Roads::near(Point p) const {
   return found;
 }
 
-/// The lowest ranked, but few of any one line: else the many swath ends crowd out the one headland pass
-/// beside them.
-std::vector<std::size_t> Roads::foremost(std::vector<std::pair<double, std::size_t>> ranked) const {
-  std::sort(ranked.begin(), ranked.end());
+/// Those near `at` and not on `but_track` of which guess(node) is least, but few of any one line: else the many
+/// swath ends crowd out the one headland pass beside them. No guess is below the distance.
+template <class Guess>
+std::vector<std::size_t> Roads::likely(Point at, std::size_t but_track, Guess guess) const {
+  constexpr std::size_t kAtOnce = 32;
+  std::vector<std::pair<double, std::size_t>> by_distance;
+  for (const std::size_t node : near(at))
+    if (nodes_[node].track != but_track) by_distance.emplace_back(distance_m(pose(node).at, at), node);
+  std::sort(by_distance.begin(), by_distance.end());
+  std::vector<std::pair<double, std::size_t>> ranked;
+  std::vector<std::size_t> best;
+  for (std::size_t i = 0; i < by_distance.size();) {
+    for (const std::size_t end = std::min(i + kAtOnce, by_distance.size()); i < end; ++i)
+      ranked.emplace_back(guess(pose(by_distance[i].second)), by_distance[i].second);
+    std::sort(ranked.begin(), ranked.end());
+    best = foremost(ranked);
+    const auto last = best.size() < kTurnsTried ? ranked.end() : place_of(ranked, best.back());
+    if (last != ranked.end() && i < by_distance.size() && by_distance[i].first > last->first) break;
+  }
+  return best;
+}
+
+std::vector<std::size_t> Roads::foremost(const std::vector<std::pair<double, std::size_t>>& ranked) const {
   std::unordered_map<std::size_t, int> of_track;
   std::vector<std::size_t> best;
   for (std::size_t i = 0; i < ranked.size() && best.size() < kTurnsTried; ++i)
@@ -80,19 +103,14 @@ std::vector<std::size_t> Roads::foremost(std::vector<std::pair<double, std::size
 
 /// Stations of other lines that a turn from the pose probably reaches soonest.
 std::vector<std::size_t> Roads::likely_after(const Pose& from, std::size_t but_track) const {
-  std::vector<std::pair<double, std::size_t>> ranked;
-  for (const std::size_t node : near(from.at))
-    if (nodes_[node].track != but_track)
-      ranked.emplace_back(guess_m(from, pose(node), 1 / terrain_.limits.curvature_per_m), node);
-  return foremost(std::move(ranked));
+  const double radius_m = 1 / terrain_.limits.curvature_per_m;
+  return likely(from.at, but_track, [&](const Pose& to) { return guess_m(from, to, radius_m); });
 }
 
 /// Stations from which a turn probably reaches the pose soonest.
 std::vector<std::size_t> Roads::likely_before(const Pose& to) const {
-  std::vector<std::pair<double, std::size_t>> ranked;
-  for (const std::size_t node : near(to.at))
-    ranked.emplace_back(guess_m(pose(node), to, 1 / terrain_.limits.curvature_per_m), node);
-  return foremost(std::move(ranked));
+  const double radius_m = 1 / terrain_.limits.curvature_per_m;
+  return likely(to.at, kNoTrack, [&](const Pose& from) { return guess_m(from, to, radius_m); });
 }
 
 /// To the next station of its own line, known at once; none where the line ends.

@@ -71,7 +71,10 @@ class Roads {
 
   [[nodiscard]] const Pose& pose(std::size_t node) const;
   [[nodiscard]] std::vector<std::size_t> near(Point p) const;
-  [[nodiscard]] std::vector<std::size_t> foremost(std::vector<std::pair<double, std::size_t>> ranked) const;
+  template <class Guess>
+  [[nodiscard]] std::vector<std::size_t> likely(Point at, std::size_t but_track, Guess guess) const;
+  [[nodiscard]] std::vector<std::size_t> foremost(
+      const std::vector<std::pair<double, std::size_t>>& ranked) const;
   [[nodiscard]] std::vector<std::size_t> likely_after(const Pose& from, std::size_t but_track) const;
   [[nodiscard]] std::vector<std::size_t> likely_before(const Pose& to) const;
   [[nodiscard]] bool leaves_by_turns(Quest& quest, std::size_t node) const;
