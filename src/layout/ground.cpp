@@ -33,7 +33,8 @@ Ground ground_of(const Block& block, const Machine& machine, double edge_margin_
           free_space(block.free, footprint),
           workable_in(block, edge_margin_m),
           std::max(footprint.half_body_m, footprint.half_tool_m),
-          edge_margin_m};
+          edge_margin_m,
+          Swings{limits_at(machine, machine.turn_speed_mps)}};
 }
 
 }  // namespace selion

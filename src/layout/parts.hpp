@@ -36,6 +36,7 @@ struct Ground {
   Polygons workable;  ///< where the tool is to work: the free area less the edge margin
   double half_m = 0;  ///< of the wider of tool and body
   double edge_margin_m = 0;
+  Swings swings;  ///< at turn speed
 };
 
 Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m);

@@ -8,7 +8,7 @@ namespace selion {
 std::vector<Path> leads_off(const Pose& from, const CurveLimits& limits) {
   std::vector<Path> leads;
   for (const double wider : {8.0, 16.0, 32.0}) {
-    const CurveLimits gentle{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)};
+    const Swings gentle{{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)}};
     for (const double turn_rad : {0.1, -0.1, 0.2, -0.2, 0.3, -0.3})
       leads.push_back(swing(from, turn_rad, gentle));
   }

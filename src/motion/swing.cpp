@@ -186,10 +186,14 @@ void draw_swing(Drawn& drawn, const Deflection& by, const Swings& swings) {
   draw_ramp(drawn, {k, -g, shape.clothoid_m, mirrored(ramp), turn});
 }
 
-Path swing(const Pose& from, double deflection_rad, const CurveLimits& limits) {
+Path swing(const Pose& from, double deflection_rad, const Swings& swings) {
   Drawn drawn{from};
-  draw_swing(drawn, deflection(deflection_rad), Swings{limits});
-  return drawn.path;
+  draw_swing(drawn, deflection(deflection_rad), swings);
+  return std::move(drawn.path);
+}
+
+Path swing(const Pose& from, double deflection_rad, const CurveLimits& limits) {
+  return swing(from, deflection_rad, Swings{limits});
 }
 
 Corner corner_of(double deflection_rad, const CurveLimits& limits) {

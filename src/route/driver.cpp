@@ -97,7 +97,7 @@ std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals
   std::vector<std::pair<double, std::size_t>> ranked;
   const double radius_m = 1 / swings.limits().curvature_per_m;
   for (std::size_t i = 0; i < goals.size(); ++i)
-    if (far_m(here_, goals[i].pose) <= most_m)
+    if (far_m(here_, goals[i].pose) <= longest_turn_m())  // further off the roads lead
       ranked.emplace_back(dubins_length_m(*here_, goals[i].pose, radius_m) + goals[i].rest_m, i);
   std::sort(ranked.begin(), ranked.end());
   std::optional<Approach> best;

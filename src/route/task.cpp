@@ -90,8 +90,8 @@ void begin_around(Task& task, const std::optional<Pose>& here, const std::vector
 /// May the machine drive the way without ending where it cannot leave? One that may reverse backs out.
 bool passable(const Terrain& terrain, const Path& way) {
   return terrain.may_reverse ||
-         (has_way_in(terrain.space, terrain.footprint, terrain.limits, start_pose(way)) &&
-          has_way_out(terrain.space, terrain.footprint, terrain.limits, end_pose(way)));
+         (has_way_in(terrain.space, terrain.footprint, terrain.swings, start_pose(way)) &&
+          has_way_out(terrain.space, terrain.footprint, terrain.swings, end_pose(way)));
 }
 
 }  // namespace

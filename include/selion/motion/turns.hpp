@@ -19,6 +19,8 @@ CurveLimits limits_at(const Machine& machine, double speed_mps);
 /// A turn by `deflection_rad` (left positive, |deflection| < 2 pi) that starts and ends straight: clothoid,
 /// arc, clothoid, or a clothoid pair of the limit's sharpness where the curvature limit is not reached.
 /// Starts at `from`.
+Path swing(const Pose& from, double deflection_rad, const Swings& swings);
+/// The same for a single one.
 Path swing(const Pose& from, double deflection_rad, const CurveLimits& limits);
 
 /// Of a swing by |deflection| < pi: from its start to the corner of its two tangents, and from that corner to
