@@ -44,6 +44,8 @@ class Work {
   [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
   void work_rings(const std::vector<const HeadlandPass*>& order, const std::vector<Point>& then_to);
   void work_ring(std::vector<const HeadlandPass*> passes);
+  bool work_pass(const HeadlandPass& pass);
+  bool work_parts(const HeadlandPass& pass);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
   bool work_turned(const HeadlandPass& pass);
   bool drive_on_to(const Task& task);
