@@ -156,6 +156,15 @@ TEST_CASE("the operation sets when the headland is worked, unless the job does",
   CHECK(job_from("operation = 'harvest'\n[headland]\norder = 'last'").headland.order == HeadlandOrder::last);
 }
 
+TEST_CASE("corners of headland passes are rounded unless the job fills them", "[plan]") {
+  CHECK(job_from("").headland.corners == HeadlandCorners::round);
+  CHECK(job_from("[headland]\ncorners = 'fill'").headland.corners == HeadlandCorners::fill);
+  CHECK(job_of(JobSettings{flag("headland.corners", "fill")}).headland.corners == HeadlandCorners::fill);
+  CHECK_THAT(refusal("[headland]\ncorners = 'fil'"), Contains("job.toml:2:1: headland.corners = 'fil'") &&
+                                                         Contains("round or fill") &&
+                                                         Contains("did you mean 'fill'?"));
+}
+
 TEST_CASE("of two values for a key the later one wins", "[plan]") {
   JobSettings settings = settings_of_toml("[machine]\nworking_width_m = 6", "job.toml");
   settings.push_back(flag("machine.working_width_m", "4"));

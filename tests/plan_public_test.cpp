@@ -27,10 +27,10 @@ struct Tally {
   int refused = 0;
 };
 
-/// Plans one field with the 3 m robot, tells what came of it and checks it.
-void check(const Field& field, Tally& tally) {
+/// Plans one field, tells what came of it and checks it.
+void check(const Field& field, const Job& job, Tally& tally) {
   CAPTURE(field.name);
-  const auto planned = plan(field, Job{}, Repair::notes_only, no_progress);
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
   if (!planned) {
     ++tally.refused;
     INFO(planned.error().reason);
@@ -46,15 +46,18 @@ void check(const Field& field, Tally& tally) {
   ++(covered_m2 >= 0.9 * area_m2 ? tally.planned : tally.partial);
   std::printf("%-40s %10.0f m2 %6.2f %% covered\n", field.name.c_str(), area_m2, 100 * covered_m2 / area_m2);
   std::string faults;
-  for (const std::string& fault : faults_of(*planned, Machine{})) faults += fault + "\n";
+  for (const std::string& fault : faults_of(*planned, job.machine)) faults += fault + "\n";
   CHECK(faults.empty());
   if (!faults.empty()) std::printf("%s", faults.c_str());
 }
 
-Tally check_all(const std::filesystem::path& file) {
+/// With the 3 m robot.
+Tally check_all(const std::filesystem::path& file, HeadlandCorners corners) {
+  Job job;
+  job.headland.corners = corners;
   std::istringstream nothing;
   Tally tally;
-  for (const Field& field : read_fields(file, {}, nothing)) check(field, tally);
+  for (const Field& field : read_fields(file, {}, nothing)) check(field, job, tally);
   std::printf("%s: %d planned, %d partly, %d refused\n", file.filename().c_str(), tally.planned,
               tally.partial, tally.refused);
   return tally;
@@ -67,12 +70,13 @@ TEST_CASE("small real fields are planned without a fault, or refused by width", 
   const auto name = GENERATE("quad_nz", "parallelogram_at", "l_shape_kh", "l_thin_arm_fi", "c_shape_nz",
                              "t_shape_dk", "sawtooth_fi", "strip_fr", "strip_9m_at", "tiny_quad_vn",
                              "tiny_arrow_pt", "ponds_dk", "y_shape_za");
-  CHECK(check_all(kPublic / (std::string{name} + ".geojson")).partial == 0);
+  CHECK(check_all(kPublic / (std::string{name} + ".geojson"), HeadlandCorners::round).partial == 0);
 }
 
 TEST_CASE("of thirty public fields at least 27 are planned, none with a fault", "[public]") {
   if (skipped()) return;
-  const Tally tally = check_all(kPublic / "_all_public.geojson");
+  const auto corners = GENERATE(HeadlandCorners::round, HeadlandCorners::fill);
+  const Tally tally = check_all(kPublic / "_all_public.geojson", corners);
   CHECK(tally.planned >= 27);
   CHECK(tally.partial == 0);
   CHECK(tally.planned + tally.refused == 30);
@@ -83,5 +87,5 @@ TEST_CASE("authorities' own files are planned field by field without a fault", "
   const std::filesystem::path file = kPublic / "original" /
                                      GENERATE("se_2023_shapefile/arslager_skiftePolygon.shp",
                                               "nl_brp2023_100.gpkg", "de_sh_feldbloecke_100_epsg4647.gpkg");
-  CHECK(check_all(file).planned > 0);
+  CHECK(check_all(file, HeadlandCorners::round).planned > 0);
 }

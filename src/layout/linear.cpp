@@ -61,6 +61,7 @@ Result<Layout> lay_linear(const Block& block, const Machine& machine, const Layo
   layout.headland_passes = lay_headland(ground, layout.passes);
   layout.swaths = lay_swaths(ground, layout.mainland, options, layout.ab);
   if (layout.swaths.empty()) return too_narrow(ground, {block.area}, layout.passes, layout.turn_depth_m);
+  if (options.corners == HeadlandCorners::fill) fill_corners(ground, layout);
   layout.pockets = lay_pockets(ground, layout);
   return layout;
 }

@@ -70,6 +70,12 @@ std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, 
 std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
                               AbLine& ab);
 
+/// What of the workable ground headland passes, swaths and these pocket pieces leave.
+Polygons unworked(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets);
+
+/// Cuts closed passes at left turns that leave ground unworked, so that it is worked (corner_fill.cpp).
+void fill_corners(const Ground& ground, Layout& layout);
+
 /// Straight pieces over what headland and swaths leave unworked, where it is worth a pass.
 std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout);
 

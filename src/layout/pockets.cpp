@@ -18,19 +18,6 @@ constexpr double kLeastShare = 0.15;  // of the working width that a pass has to
 constexpr double kLeastLength = 1.5;  // of the working width
 constexpr int kRounds = 2;
 
-/// What of the workable ground nothing laid out so far covers.
-Polygons left_by(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets) {
-  const double flat_rad = -layout.along.radians();  // with the swaths from west to east
-  Polygons swept;
-  const auto take = [&](const Path& path) {
-    for (Ring& piece : swept_by_tool(ground.footprint, path)) swept.push_back({std::move(piece), {}});
-  };
-  for (const HeadlandPass& pass : layout.headland_passes) take(pass.path);
-  for (const Swath& swath : layout.swaths) take(swath_path(ground.machine, swath.from, swath.to));
-  for (const Swath& swath : pockets) take(swath_path(ground.machine, swath.from, swath.to));
-  return turned(subtract(turned(ground.workable, flat_rad), turned(std::move(swept), flat_rad)), -flat_rad);
-}
-
 /// The heading along which the part is narrowest across: one of its own edges' (Freeman and Shapira 1975).
 double long_heading(const Polygon& part) {
   double best = 0;
@@ -171,10 +158,25 @@ std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
 
 }  // namespace
 
+Polygons unworked(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets) {
+  const double flat_rad = -layout.along.radians();  // with the swaths from west to east
+  Polygons swept;
+  const auto take = [&](const Path& path) {
+    for (Ring& piece : swept_by_tool(ground.footprint, path)) swept.push_back({std::move(piece), {}});
+  };
+  for (const HeadlandPass& pass : layout.headland_passes) {
+    if (pass.parts.empty()) take(pass.path);
+    for (const HeadlandPart& part : pass.parts) take(part.path);
+  }
+  for (const Swath& swath : layout.swaths) take(swath_path(ground.machine, swath.from, swath.to));
+  for (const Swath& swath : pockets) take(swath_path(ground.machine, swath.from, swath.to));
+  return turned(subtract(turned(ground.workable, flat_rad), turned(std::move(swept), flat_rad)), -flat_rad);
+}
+
 std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout) {
   std::vector<Swath> pockets;
   for (int round = 0; round < kRounds; ++round) {
-    const Polygons left = left_by(ground, layout, pockets);
+    const Polygons left = unworked(ground, layout, pockets);
     const std::vector<Swath> more = pieces_into(ground, left);
     if (more.empty()) break;
     pockets.insert(pockets.end(), more.begin(), more.end());

@@ -23,6 +23,8 @@ constexpr auto kOperations = std::to_array<std::pair<Operation, std::string_view
 });
 constexpr auto kOrders = std::to_array<std::pair<HeadlandOrder, std::string_view>>(
     {{HeadlandOrder::first, "first"}, {HeadlandOrder::last, "last"}, {HeadlandOrder::none, "none"}});
+constexpr auto kCorners = std::to_array<std::pair<HeadlandCorners, std::string_view>>(
+    {{HeadlandCorners::round, "round"}, {HeadlandCorners::fill, "fill"}});
 constexpr auto kKinds = std::to_array<std::pair<MachineKind, std::string_view>>(
     {{MachineKind::car, "car"}, {MachineKind::differential, "differential"}});
 
@@ -45,6 +47,7 @@ JobValue to_value(int x) { return static_cast<double>(x); }
 JobValue to_value(bool x) { return x; }
 JobValue to_value(Operation x) { return std::string{name_in(kOperations, x)}; }
 JobValue to_value(HeadlandOrder x) { return std::string{name_in(kOrders, x)}; }
+JobValue to_value(HeadlandCorners x) { return std::string{name_in(kCorners, x)}; }
 JobValue to_value(MachineKind x) { return std::string{name_in(kKinds, x)}; }
 JobValue to_value(const std::array<double, 4>& x) { return std::vector<double>(x.begin(), x.end()); }
 template <class T>
@@ -58,6 +61,7 @@ void assign(int& to, const JobValue& value) { to = static_cast<int>(std::get<dou
 void assign(bool& to, const JobValue& value) { to = std::get<bool>(value); }
 void assign(Operation& to, const JobValue& value) { to = named<Operation>(kOperations, value); }
 void assign(HeadlandOrder& to, const JobValue& value) { to = named<HeadlandOrder>(kOrders, value); }
+void assign(HeadlandCorners& to, const JobValue& value) { to = named<HeadlandCorners>(kCorners, value); }
 void assign(MachineKind& to, const JobValue& value) { to = named<MachineKind>(kKinds, value); }
 void assign(std::array<double, 4>& to, const JobValue& value) {
   std::ranges::copy(std::get<std::vector<double>>(value), to.begin());
@@ -223,6 +227,9 @@ std::vector<JobKey> work_keys() {
       key<JobType::text, &Job::headland, &H::order>(
           {"headland", "order", "--headland-order", "",
            "when the headland is worked; by default as the operation wants it", "first|last|none"}),
+      key<JobType::text, &Job::headland, &H::corners>(
+          {"headland", "corners", "--corners", "",
+           "of headland passes: rounded, or filled by backing into them or a loop", "round|fill"}),
       key<JobType::text, &Job::route, &R::order>({"route", "order", "--route-order", "",
                                                   "order of the swaths", "adjacent",
                                                   "skip|lands|spiral|optimised"}),

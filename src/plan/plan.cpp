@@ -85,6 +85,7 @@ Result<LayoutOptions> layout_options(const Block& block, const LocalFrame& frame
   options.overlap_m = job.layout.overlap_m;
   options.edge_margin_m = job.field.edge_margin_m;
   options.passes = job.headland.passes;
+  options.corners = job.headland.corners;
   if (job.layout.ab) {
     options.ab = ab_line_of(block, frame, *job.layout.ab);
     return options;

@@ -211,6 +211,10 @@ bool Driver::drive_to(const Task& task) {
   return true;
 }
 
+void Driver::drive_along(const Path& way, const Task& task) {
+  work(task, way, path_of(task, task.ways.front()));
+}
+
 std::vector<RoutePiece> Driver::take_back() {
   const auto works = [](const RoutePiece& piece) {
     return piece.kind == PieceKind::swath || piece.kind == PieceKind::headland_pass;

@@ -29,6 +29,8 @@ class Driver {
   bool turn_to(const Task& task);
   /// Drives to the task by the cheapest of its ways and works it; false where it cannot be reached.
   bool drive_to(const Task& task);
+  /// Drives a way that begins where it stands and leads to the task's first one, and works it.
+  void drive_along(const Path& way, const Task& task);
   /// Takes the last work back, with the way to it; what was taken back, last piece last. Empty where there is
   /// none, or where nobody knows where the machine stood before it.
   std::vector<RoutePiece> take_back();

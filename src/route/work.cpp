@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "cut_ring.hpp"
+
 namespace selion {
 namespace {
 
@@ -18,10 +20,11 @@ void move_to_end(std::vector<Task>& tasks, std::vector<Task>& from) {
 }
 
 bool fits_both_ways(const Terrain& terrain, const Layout& layout) {
-  return std::all_of(layout.headland_passes.begin(), layout.headland_passes.end(),
-                     [&](const HeadlandPass& pass) {
-                       return !pass.closed || fits(terrain.space, terrain.footprint, turned_round(pass.path));
-                     });
+  return std::all_of(
+      layout.headland_passes.begin(), layout.headland_passes.end(), [&](const HeadlandPass& pass) {
+        const bool either = !pass.closed || fits(terrain.space, terrain.footprint, turned_round(pass.path));
+        return either && pass.parts.empty();
+      });
 }
 
 }  // namespace
@@ -157,11 +160,32 @@ void Work::work_rings(RingOrder order, const std::vector<Point>& at_last,
     else
       then_to_ = order.ends_group(next) ? order.next_places() : std::vector<Point>{};
     const HeadlandPass& pass = order.pass(next);
-    Task task = pass_task(pass);
-    if (!driver_.drive_to(task) && !work_turned(pass) && !drive_on_to(task))
-      failed.push_back(std::move(task));
+    if (!work_pass(pass)) failed.push_back(pass_task(pass));
   }
   work_nearest(std::move(failed));
+}
+
+/// Where a ring with filled corners cannot be driven so, it is rounded.
+bool Work::work_pass(const HeadlandPass& pass) {
+  if (work_parts(pass)) return true;
+  const Task task = pass_task(pass);
+  return driver_.drive_to(task) || work_turned(pass) || drive_on_to(task);
+}
+
+/// Begun on a side, part by part round to where it was begun.
+bool Work::work_parts(const HeadlandPass& pass) {
+  if (pass.parts.empty()) return false;
+  if (!driver_.drive_to(cut_ring_task(driver_.terrain(), pass, driver_.here(), then_to_))) return false;
+  const auto begun = place_on(pass, start_pose(driver_.driven().back().path));
+  if (!begun) return true;
+  const std::size_t count = pass.parts.size();
+  for (std::size_t k = 1; k <= count; ++k) {
+    const HeadlandPart& last = pass.parts[(begun->part + k - 1) % count];
+    const HeadlandPart& next = pass.parts[(begun->part + k) % count];
+    const Path& path = k < count ? next.path : part_of(next.path, 0, begun->s_m);
+    driver_.drive_along(last.way_on, part_task(pass, path));
+  }
+  return true;
 }
 
 /// A machine that only drives forwards may be stuck where it is: then what it worked last was a dead end, and

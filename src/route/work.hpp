@@ -44,6 +44,8 @@ class Work {
   void work_nearest(std::vector<Task> tasks);
   [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
   void work_rings(RingOrder order, const std::vector<Point>& at_last, const std::optional<Point>& last_near);
+  bool work_pass(const HeadlandPass& pass);
+  bool work_parts(const HeadlandPass& pass);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
   bool work_turned(const HeadlandPass& pass);
   bool drive_on_to(const Task& task);

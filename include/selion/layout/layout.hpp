@@ -17,12 +17,21 @@
 
 namespace selion {
 
+/// Of a ring cut at its corners: worked from one to the next.
+struct HeadlandPart {
+  Path path;
+  Path way_on;  ///< tool up, to where the next part begins; the first one follows the last
+
+  friend bool operator==(const HeadlandPart&, const HeadlandPart&) = default;
+};
+
 /// One drive around the border or an obstacle, or a part of one, tool down: the axle's path.
 struct HeadlandPass {
   std::string id;  ///< "H1", "H2", ...
   int ring = 1;    ///< 1 is outermost (nearest to border or obstacle)
   Path path;
-  bool closed = true;  ///< ends where it begins; may then be begun anywhere
+  bool closed = true;                 ///< ends where it begins; may then be begun anywhere
+  std::vector<HeadlandPart> parts{};  ///< of a ring with filled corners: worked instead of `path`
 
   friend bool operator==(const HeadlandPass&, const HeadlandPass&) = default;
 };
@@ -62,6 +71,9 @@ struct Layout {
   friend bool operator==(const Layout&, const Layout&) = default;
 };
 
+/// How headland passes go round left turns: with the tool down, or with the ground in the corner worked.
+enum class HeadlandCorners { round, fill };
+
 struct LayoutOptions {
   DrivingDirection along;
   std::optional<AbLine> ab;           ///< fixes heading and phase
@@ -70,6 +82,7 @@ struct LayoutOptions {
   double overlap_m = 0;
   double edge_margin_m = 0.3;
   std::optional<int> passes;  ///< absent: as many as turns need
+  HeadlandCorners corners = HeadlandCorners::round;
 
   friend bool operator==(const LayoutOptions&, const LayoutOptions&) = default;
 };

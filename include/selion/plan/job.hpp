@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "selion/core/machine.hpp"
+#include "selion/layout/layout.hpp"
 #include "selion/route/route.hpp"
 
 namespace selion {
@@ -47,6 +48,7 @@ struct Job {
   struct HeadlandKeys {         // [headland]
     std::optional<int> passes;  ///< absent: "auto"
     HeadlandOrder order = HeadlandOrder::last;
+    HeadlandCorners corners = HeadlandCorners::round;
     friend bool operator==(const HeadlandKeys&, const HeadlandKeys&) = default;
   } headland;
 
