@@ -37,13 +37,10 @@ double beyond_m(const Ground& ground, const LeftTurn& turn) {
   return ground.half_m * std::tan(turn.turn_rad / 2);
 }
 
-CurveLimits turning(const Ground& ground) { return limits_at(ground.machine, ground.machine.turn_speed_mps); }
-
 /// The shortest turn forwards.
 std::optional<Path> turn_ahead(const Ground& ground, const Pose& from, const Pose& to) {
-  const Swings swings{turning(ground)};
-  const double longest_m = 14 / swings.limits().curvature_per_m + 6 * ground.half_m;
-  Connections turns{from, to, swings};
+  const double longest_m = 14 / ground.swings.limits().curvature_per_m + 6 * ground.half_m;
+  Connections turns{from, to, ground.swings};
   while (auto way = turns.next()) {
     if (length_m(*way) > longest_m) break;
     if (stays_inside(ground.space, ground.footprint, *way)) return way;
@@ -63,7 +60,7 @@ Path by_curve(const Pose& from, double to_curve_m, const Path& curve, double to_
 
 bool is_corner(const Ground& ground, const LeftTurn& turn) {
   constexpr double kWidest = 3;  // times the tightest turn: more than a long body needs to swing clear
-  CurveLimits working = turning(ground);
+  CurveLimits working = ground.swings.limits();
   if (const auto radius_m = ground.machine.min_work_radius_m)
     working.curvature_per_m = std::min(working.curvature_per_m, 1 / *radius_m);
   const double most_m = kWidest * corner_of(turn.turn_rad, working).tangent_m;
@@ -75,7 +72,7 @@ double farthest_on_m(const Ground& ground, const LeftTurn& turn) {
   const double by_m = longest_m(
       most_m, [&](double m) { return stays_inside(ground.space, ground.footprint, straight(turn.in, m)); });
   return passable_m(ground, by_m, [&](double m) {
-    return has_way_out(ground.space, ground.footprint, turning(ground), on_from(turn.in, m));
+    return has_way_out(ground.space, ground.footprint, ground.swings, on_from(turn.in, m));
   });
 }
 
@@ -85,7 +82,7 @@ double farthest_back_m(const Ground& ground, const LeftTurn& turn) {
     return stays_inside(ground.space, ground.footprint, straight(on_from(turn.out, -m), m));
   });
   return passable_m(ground, by_m, [&](double m) {
-    return has_way_in(ground.space, ground.footprint, turning(ground), on_from(turn.out, -m));
+    return has_way_in(ground.space, ground.footprint, ground.swings, on_from(turn.out, -m));
   });
 }
 
@@ -94,11 +91,11 @@ std::optional<Path> way_round(const Ground& ground, const LeftTurn& turn, const 
   const Pose from = on_from(turn.in, fill.on_m);
   if (!ground.machine.may_reverse) return turn_ahead(ground, from, on_from(turn.out, -fill.back_m));
   // with the tool up it may turn more tightly than the bend
-  const double tangent_m = corner_of(turn.turn_rad, turning(ground)).tangent_m;
+  const double tangent_m = corner_of(turn.turn_rad, ground.swings.limits()).tangent_m;
   const double curve_on_m = turn.before_m - tangent_m;
   const double curve_end_m = tangent_m - turn.after_m;
   if (curve_on_m > -sides.before_m && curve_end_m < sides.after_m) {
-    const Path tight = swing(on_from(turn.in, curve_on_m), turn.turn_rad, turning(ground));
+    const Path tight = swing(on_from(turn.in, curve_on_m), turn.turn_rad, ground.swings);
     Path way = by_curve(from, curve_on_m - fill.on_m, tight, -fill.back_m - curve_end_m);
     if (stays_inside(ground.space, ground.footprint, way)) return way;
   }
