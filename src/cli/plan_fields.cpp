@@ -30,10 +30,10 @@ MapOptions map_options(const Job& job) {
 std::vector<OutputFile> files_of(const Plan& plan, const PlanSettings& settings) {
   MapText text = map_text(plan, settings.job);
   text.date = settings.date;
-  const MapOptions options = map_options(settings.job);
+  MapFiles map = map_files(plan.file, text, map_options(settings.job));
   return {{std::string{kNames[0]}, to_geojson(plan.file)},
-          {std::string{kNames[1]}, map_svg(plan.file, text, options)},
-          {std::string{kNames[2]}, map_pdf(plan.file, text, options)},
+          {std::string{kNames[1]}, std::move(map.svg)},
+          {std::string{kNames[2]}, std::move(map.pdf)},
           {std::string{kNames[3]}, report_json(plan)}};
 }
 
