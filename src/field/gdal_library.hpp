@@ -12,8 +12,8 @@ void* gdal_function(const char* name);
 }  // namespace selion
 
 /// A function of GDAL's C interface, with the type that its header gives it; looked up once.
-#define SELION_GDAL(name)                                                                \
-  ([] {                                                                                  \
-    static const auto found = reinterpret_cast<decltype(&(name))>(gdal_function(#name)); \
-    return found;                                                                        \
+#define SELION_GDAL(name)                                                                       \
+  ([] {                                                                                         \
+    static const auto gdal_address = reinterpret_cast<decltype(&(name))>(gdal_function(#name)); \
+    return gdal_address;                                                                        \
   }())
