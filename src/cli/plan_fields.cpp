@@ -146,6 +146,7 @@ Outcome plan_field(const Task& task, const PlanSettings& settings, const Progres
 
 int plan_fields(const std::vector<Task>& tasks, const PlanSettings& settings, int threads, Terminal& terminal,
                 const std::function<void(const Task&, const Outcome&)>& tell) {
+  const std::future<void> fonts = std::async(find_fonts);
   InOrder outcomes{tasks, tell};
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> finished = 0;

@@ -124,6 +124,11 @@ Drawing map_page(const PlanFile& plan, const MapText& text, const MapOptions& op
 
 }  // namespace
 
+void find_fonts() {
+  const Font font;
+  static_cast<void>(font.width_mm("0", TextStyle{}));
+}
+
 MapFiles map_files(const PlanFile& plan, const MapText& text, const MapOptions& options) {
   const Font font;
   const Drawing page = map_page(plan, text, options, font);

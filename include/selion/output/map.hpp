@@ -33,6 +33,9 @@ struct MapFiles {
   std::string pdf;
 };
 
+/// Looks up which fonts the system has, once for all maps: the first map would wait for it.
+void find_fonts();
+
 /// The printed map. Same plan, same bytes.
 MapFiles map_files(const PlanFile& plan, const MapText& text, const MapOptions& options);
 
