@@ -9,6 +9,6 @@
 namespace selion {
 
 /// All features of a layer that GDAL has opened (an OGRLayerH), curves as chords.
-RawLayer read_layer(void* layer, std::span<const std::string_view> skipped_attributes);
+RawLayer read_layer(void* opened, std::span<const std::string_view> skipped_attributes);
 
 }  // namespace selion
