@@ -47,8 +47,8 @@ TEST_CASE("a line takes every word that still fits", "[output][drawing]") {
   const Font font;
   const TextStyle style{8, Weight::bold};
   const std::string text =
-      "AV To. Wa fi ffl  Y, L' Ta V. \u0627\u0644\u062D\u0642\u0644 \u0627\u0644\u0643\u0628\u064A\u0631 Wo "
-      "Te. fj LT r.";
+      GENERATE(as<std::string>{}, "AV To. Wa fi ffl  Y, L' Ta V. Wo Te. fj LT r. \u00C5k\u00E9r",
+               "V. \u0627\u0644\u062D\u0642\u0644 \u0627\u0644\u0643\u0628\u064A\u0631 Wo Te. fj LT r.");
   const double width_mm = GENERATE(range(12.0, 40.0, 0.37));
   const std::vector<std::string> lines = font.wrapped(text, style, width_mm);
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include <pango/pangocairo.h>
 
@@ -79,13 +80,15 @@ struct Font::Setting {
     return kMmPerPt * width / PANGO_SCALE;
   }
 
-  /// How far the text before each byte reaches in Pango's units, at last all of it.
-  [[nodiscard]] std::vector<int> reaches(const std::string& text, TextStyle style) const {
+  /// How far the text before each byte reaches in Pango's units, at last all of it. Absent where letters run
+  /// from right to left: there a part may be set otherwise than within the whole.
+  [[nodiscard]] std::optional<std::vector<int>> reaches(const std::string& text, TextStyle style) const {
     const Layout whole = layout(text, style);
     std::vector<int> reach(text.size() + 1, 0);
     for (GSList* run = pango_layout_get_line_readonly(whole.get(), 0)->runs; run != nullptr;
          run = run->next) {
       const auto& [item, glyphs, y_offset, start, end] = *static_cast<const PangoGlyphItem*>(run->data);
+      if (item->analysis.level % 2 != 0) return std::nullopt;
       for (int i = 0; i < glyphs->num_glyphs; ++i)
         reach[static_cast<std::size_t>(item->offset + glyphs->log_clusters[i]) + 1] +=
             glyphs->glyphs[i].geometry.width;
@@ -112,10 +115,11 @@ std::size_t Font::fitting_letters(const std::string& word, TextStyle style, doub
 
 std::vector<std::string> Font::wrapped(const std::string& text, TextStyle style, double width_mm) const {
   const std::string words = spaced_once(printable(text));
-  const std::vector<int> reach =
-      setting_->reaches(words, style);  // of all at once: setting it is what takes time
+  // All at once, for setting it is what takes time.
+  const auto reach = setting_->reaches(words, style);
   const auto fits = [&](std::size_t from, std::size_t to) {
-    return kMmPerPt * (reach[to] - reach[from]) / PANGO_SCALE <= width_mm;
+    return (reach ? kMmPerPt * ((*reach)[to] - (*reach)[from]) / PANGO_SCALE
+                  : this->width_mm(words.substr(from, to - from), style)) <= width_mm;
   };
   std::vector<std::string> lines;
   std::size_t line = 0;  // where it begins, and
