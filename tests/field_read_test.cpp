@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "test.hpp"
 
+#include "field/gdal_library.hpp"
 #include "field_samples.hpp"
 
 using namespace selion;
@@ -265,6 +266,10 @@ TEST_CASE("a KML file is read across its folders and repaired with notes", "[fie
   CHECK(mentions(error_of([&] { read_file(open.path()); }), "cannot be read"));
   const TemporaryFile bomb{"b.kml", "<!DOCTYPE k [<!ENTITY a \"aaaa\">]><kml>&a;</kml>"};
   CHECK(mentions(error_of([&] { read_file(bomb.path()); }), "entities"));
+}
+
+TEST_CASE("a function that the installed GDAL lacks is refused by name", "[field][read]") {
+  CHECK_THROWS_WITH(gdal_function("GDALNoSuchFunction"), Catch::Contains("GDALNoSuchFunction"));
 }
 
 TEST_CASE("reading leaves nothing beside the file", "[field][read]") {

@@ -43,6 +43,21 @@ TEST_CASE("wrapped text keeps its words and its width", "[output][drawing]") {
   CHECK(font.shortened("short", style, 30) == "short");
 }
 
+TEST_CASE("a line takes every word that still fits", "[output][drawing]") {
+  const Font font;
+  const TextStyle style{8, Weight::bold};
+  const std::string text =
+      GENERATE(as<std::string>{}, "AV To. Wa fi ffl  Y, L' Ta V. Wo Te. fj LT r. \u00C5k\u00E9r",
+               "V. \u0627\u0644\u062D\u0642\u0644 \u0627\u0644\u0643\u0628\u064A\u0631 Wo Te. fj LT r.");
+  const double width_mm = GENERATE(range(12.0, 40.0, 0.37));
+  const std::vector<std::string> lines = font.wrapped(text, style, width_mm);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    CHECK(font.width_mm(lines[i], style) <= width_mm);
+    if (i + 1 < lines.size())
+      CHECK(font.width_mm(lines[i] + ' ' + lines[i + 1].substr(0, lines[i + 1].find(' ')), style) > width_mm);
+  }
+}
+
 TEST_CASE("thinning moves no point by more than a twentieth of a millimetre", "[output][drawing]") {
   PageLine arc;
   for (int i = 0; i <= 2000; ++i) arc.push_back({20 * std::cos(i * 0.001), 20 * std::sin(i * 0.001)});

@@ -112,14 +112,15 @@ std::string pdf_words(const std::string& pdf) {
 
 TEST_CASE("the same plan gives the same bytes", "[output][map]") {
   const PlanFile plan = two_blocks();
-  CHECK(map_svg(plan, sample_text(), kA4) == map_svg(plan, sample_text(), kA4));
-  const std::string pdf = map_pdf(plan, sample_text(), kA4);
-  CHECK(pdf == map_pdf(plan, sample_text(), kA4));
-  CHECK(pdf.find("CreationDate") == std::string::npos);
+  const MapFiles once = map_files(plan, sample_text(), kA4);
+  const MapFiles again = map_files(plan, sample_text(), kA4);
+  CHECK(once.svg == again.svg);
+  CHECK(once.pdf == again.pdf);
+  CHECK(once.pdf.find("CreationDate") == std::string::npos);
 }
 
 TEST_CASE("a PDF is one page whose text can be found", "[output][map]") {
-  const std::string pdf = map_pdf(two_blocks(), sample_text(), kA4);
+  const std::string pdf = map_files(two_blocks(), sample_text(), kA4).pdf;
   REQUIRE(pdf.substr(0, 5) == "%PDF-");
   if (std::system("command -v pdftotext >/dev/null 2>&1") != 0) {
     WARN("skipped: pdftotext is not installed");
@@ -137,7 +138,7 @@ TEST_CASE("an SVG is well-formed and has its title as text", "[output][map]") {
   text.title = "Fish & Chips <north> \"field\"";
   PlanFile plan = two_blocks();
   plan.gates.push_back({1, plan.fields[0].parts[0].shell[0], "A&B <gate>\x01\xFF", 6.0});
-  const pugi::xml_document svg = parsed(map_svg(plan, text, kA4));
+  const pugi::xml_document svg = parsed(map_files(plan, text, kA4).svg);
   CHECK(words_in(svg, in_group("head")).find(text.title) != std::string::npos);
   CHECK(words_in(svg, in_group("place-names")).find("A&B <gate>") != std::string::npos);
   CHECK(words_in(svg, in_group("place-names")).find("(6.0 m)") != std::string::npos);
@@ -148,16 +149,17 @@ TEST_CASE("no text overlaps another or leaves the page", "[output][map]") {
   SECTION("blocks, a hole, warnings") {
     text.warnings = {"Driving between the blocks is not planned.",
                      std::string(300, 'w') + ' ' + std::string(90, 'm')};
-    check_texts(map_svg(two_blocks(), text, kA4));
-    check_texts(map_svg(two_blocks(), text, {Units::imperial, Paper::letter}));
+    check_texts(map_files(two_blocks(), text, kA4).svg);
+    check_texts(map_files(two_blocks(), text, {Units::imperial, Paper::letter}).svg);
   }
   SECTION("a long strip") {
-    check_texts(map_svg(sample_plan({{rectangle({-364, -14}, 729, 29)}, 3, 6, 90}), text, kA4));
+    check_texts(map_files(sample_plan({{rectangle({-364, -14}, 729, 29)}, 3, 6, 90}), text, kA4).svg);
   }
   SECTION("a field with hundreds of swaths") {
-    check_texts(map_svg(sample_plan({{rectangle({-1125, -1280}, 2250, 2560)}, 3, 9, 3}), text, kA4));
-    check_texts(map_svg(sample_plan({{rectangle({-1125, -1280}, 2250, 2560)}, 3, 9, 3}), text,
-                        {Units::metric, Paper::a3}));
+    check_texts(map_files(sample_plan({{rectangle({-1125, -1280}, 2250, 2560)}, 3, 9, 3}), text, kA4).svg);
+    check_texts(map_files(sample_plan({{rectangle({-1125, -1280}, 2250, 2560)}, 3, 9, 3}), text,
+                          {Units::metric, Paper::a3})
+                    .svg);
   }
   SECTION("more text than a page holds") {
     for (int i = 0; i < 80; ++i)
@@ -165,7 +167,7 @@ TEST_CASE("no text overlaps another or leaves the page", "[output][map]") {
     for (int i = 0; i < 40; ++i)
       text.warnings.push_back("Warning " + std::to_string(i) + ": part of the field is too small.");
     for (int i = 0; i < 90; ++i) text.data.emplace_back("Figure " + std::to_string(i), "1.00 ha");
-    const std::string svg = map_svg(two_blocks(), text, kA4);
+    const std::string svg = map_files(two_blocks(), text, kA4).svg;
     check_texts(svg);
     CHECK(words_in(parsed(svg), in_group("head")).find("more warnings") != std::string::npos);
   }
@@ -173,13 +175,13 @@ TEST_CASE("no text overlaps another or leaves the page", "[output][map]") {
     PlanFile empty;
     empty.proj = two_blocks().proj;
     empty.origin = {3.43, 46.33};
-    check_texts(map_svg(empty, {}, kA4));
+    check_texts(map_files(empty, {}, kA4).svg);
   }
 }
 
 TEST_CASE("the first and last swath are numbered, and every number lies inside the frame", "[output][map]") {
   const PlanFile plan = sample_plan({{rectangle({-400, -300}, 800, 600)}, 3, 9, 30});
-  const pugi::xml_document svg = parsed(map_svg(plan, sample_text(), kA4));
+  const pugi::xml_document svg = parsed(map_files(plan, sample_text(), kA4).svg);
   const Font font;
   std::set<std::string> numbers;
   for (const pugi::xml_node& node : texts_in(svg, in_group("swath-numbers"))) {
@@ -193,7 +195,7 @@ TEST_CASE("the first and last swath are numbered, and every number lies inside t
 
 TEST_CASE("both pieces of a split swath carry their letters", "[output][map]") {
   const std::string numbers =
-      words_in(parsed(map_svg(two_blocks(), sample_text(), kA4)), in_group("swath-numbers"));
+      words_in(parsed(map_files(two_blocks(), sample_text(), kA4).svg), in_group("swath-numbers"));
   const std::size_t split = numbers.find("a ");
   REQUIRE(split != std::string::npos);
   const std::string number =
@@ -204,7 +206,7 @@ TEST_CASE("both pieces of a split swath carry their letters", "[output][map]") {
 TEST_CASE("the legend lists what is drawn and nothing else", "[output][map]") {
   PlanFile plan = two_blocks();
   const auto check = [&] {
-    const pugi::xml_document svg = parsed(map_svg(plan, sample_text(), kA4));
+    const pugi::xml_document svg = parsed(map_files(plan, sample_text(), kA4).svg);
     const std::string panel = words_in(svg, in_group("panel"));
     for (const Mark mark :
          {Mark::boundary, Mark::headland,  Mark::headland_pass, Mark::swath,      Mark::swath_number,
@@ -255,12 +257,12 @@ TEST_CASE("the north arrow knows the convergence of a state grid", "[output][map
   // Lambert-93 (Snyder 1987, p. 107): convergence n (lon - lon_0), n = 0.7256077650, here east is positive.
   const PlanPlane plane{plan.proj};
   CHECK(plane.convergence_deg(plane.to_local(plan.origin)) == Approx(0.7256077650 * -6.5).margin(1e-3));
-  const std::string words = words_in(parsed(map_svg(plan, {}, kA4)), in_group("scale"));
+  const std::string words = words_in(parsed(map_files(plan, {}, kA4).svg), in_group("scale"));
   CHECK(words.find("4.72\u00B0 west") != std::string::npos);
 }
 
 TEST_CASE("a frame that PROJ does not know is an error of the plan file", "[output][map]") {
   PlanFile plan;
   plan.proj = "+proj=nonsense";
-  CHECK_THROWS_AS(map_svg(plan, {}, kA4), InputError);
+  CHECK_THROWS_AS(map_files(plan, {}, kA4), InputError);
 }

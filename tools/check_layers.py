@@ -36,8 +36,8 @@ THIRD_PARTY = {
     r"cairo|pango|pugixml\.hpp$": {"output"},
     r"CLI/|spdlog/": {"cli"},
 }
-# What POSIX adds to the standard library, for files written whole and for terminals.
-POSIX = {r"(unistd|fcntl|signal)\.h$|sys/": {"output", "cli"}}
+# What POSIX adds to the standard library: for files written whole, for terminals, and to load GDAL when it is needed.
+POSIX = {r"(unistd|fcntl|signal)\.h$|sys/": {"output", "cli"}, r"dlfcn\.h$": {"field"}}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+$")

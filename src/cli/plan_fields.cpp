@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -27,15 +28,10 @@ MapOptions map_options(const Job& job) {
   return {.units = job.output.units == "imperial" ? Units::imperial : Units::metric, .paper = paper};
 }
 
-std::vector<OutputFile> files_of(const Plan& plan, const PlanSettings& settings) {
-  MapText text = map_text(plan, settings.job);
-  text.date = settings.date;
-  const MapOptions options = map_options(settings.job);
-  return {{std::string{kNames[0]}, to_geojson(plan.file)},
-          {std::string{kNames[1]}, map_svg(plan.file, text, options)},
-          {std::string{kNames[2]}, map_pdf(plan.file, text, options)},
-          {std::string{kNames[3]}, report_json(plan)}};
-}
+struct Files {
+  std::vector<OutputFile> files;
+  std::string fault;  ///< of the plan file: empty where it reads back
+};
 
 /// A plan that cannot be read back is of no use to whoever is to drive it.
 std::string fault_of(const OutputFile& geojson) {
@@ -45,6 +41,25 @@ std::string fault_of(const OutputFile& geojson) {
   } catch (const InputError& error) {
     return std::string{"the plan that was written does not read back: "} + error.what();
   }
+}
+
+Files plan_file_of(const Plan& plan) {
+  Files out{{{std::string{kNames[0]}, to_geojson(plan.file)}}, ""};
+  out.fault = fault_of(out.files.front());
+  return out;
+}
+
+/// Plan file and maps take about as long: one is made beside the other.
+Files files_of(const Plan& plan, const PlanSettings& settings) {
+  std::future<Files> plan_file = std::async([&plan] { return plan_file_of(plan); });
+  MapText text = map_text(plan, settings.job);
+  text.date = settings.date;
+  MapFiles map = map_files(plan.file, text, map_options(settings.job));
+  Files out = plan_file.get();
+  out.files.push_back({std::string{kNames[1]}, std::move(map.svg)});
+  out.files.push_back({std::string{kNames[2]}, std::move(map.pdf)});
+  out.files.push_back({std::string{kNames[3]}, report_json(plan)});
+  return out;
 }
 
 /// Lines of many thousand places are not needed once they are written.
@@ -57,10 +72,10 @@ void drop_lines(PlanFile& file) {
 Outcome planned(const Task& task, const PlanSettings& settings, const Progress& progress) {
   Result<Plan> plan = selion::plan(task.field, settings.job, settings.repair, progress);
   if (!plan) return {.status = 3, .trouble = plan.error().reason, .plan = std::nullopt, .report = {}};
-  std::vector<OutputFile> files = files_of(*plan, settings);
+  auto [files, fault] = files_of(*plan, settings);
   write_output(task.folder, files, settings.existing);
   Outcome outcome{
-      .status = 0, .trouble = fault_of(files[0]), .plan = std::nullopt, .report = std::move(files[3].bytes)};
+      .status = 0, .trouble = std::move(fault), .plan = std::nullopt, .report = std::move(files[3].bytes)};
   if (!outcome.trouble.empty()) outcome.status = 4;
   drop_lines(plan->file);
   outcome.plan = *std::move(plan);
@@ -131,6 +146,7 @@ Outcome plan_field(const Task& task, const PlanSettings& settings, const Progres
 
 int plan_fields(const std::vector<Task>& tasks, const PlanSettings& settings, int threads, Terminal& terminal,
                 const std::function<void(const Task&, const Outcome&)>& tell) {
+  const std::future<void> fonts = std::async(find_fonts);
   InOrder outcomes{tasks, tell};
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> finished = 0;

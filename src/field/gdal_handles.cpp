@@ -7,13 +7,14 @@
 #include <cpl_error.h>
 #include <cpl_vsi.h>
 
-#include "selion/core/error.hpp"
+#include "file_bytes.hpp"
+#include "gdal_library.hpp"
 
 namespace selion {
 namespace {
 
 void CPL_STDCALL keep(CPLErr severity, CPLErrorNum /*number*/, const char* text) {
-  auto* messages = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
+  auto* messages = static_cast<GdalMessages*>(SELION_GDAL(CPLGetErrorHandlerUserData)());
   if (severity == CE_Failure || severity == CE_Fatal) messages->failures.emplace_back(text);
   if (severity == CE_Warning &&
       std::find(messages->warnings.begin(), messages->warnings.end(), text) == messages->warnings.end())
@@ -22,46 +23,46 @@ void CPL_STDCALL keep(CPLErr severity, CPLErrorNum /*number*/, const char* text)
 
 }  // namespace
 
-GdalMessages::GdalMessages() { CPLPushErrorHandlerEx(keep, this); }
+GdalMessages::GdalMessages() { SELION_GDAL(CPLPushErrorHandlerEx)(keep, this); }
 
 GdalMessages::~GdalMessages() {
-  CPLPopErrorHandler();
-  CPLErrorReset();
+  SELION_GDAL(CPLPopErrorHandler)();
+  SELION_GDAL(CPLErrorReset)();
 }
 
 MemoryFolder::MemoryFolder()
     : path_{"/vsimem/selion_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))} {}
 
-MemoryFolder::~MemoryFolder() { VSIRmdirRecursive(path_.c_str()); }
+MemoryFolder::~MemoryFolder() { SELION_GDAL(VSIRmdirRecursive)(path_.c_str()); }
 
 std::string MemoryFolder::add(const std::string& name, const std::string& bytes) {
   std::string path = path_ + "/" + name;
   // GDAL's interface takes a mutable buffer, but only ever reads this one: files are opened for reading.
   auto* data = reinterpret_cast<GByte*>(const_cast<char*>(bytes.data()));
-  VSIFCloseL(VSIFileFromMemBuffer(path.c_str(), data, bytes.size(), FALSE));
+  SELION_GDAL(VSIFCloseL)(SELION_GDAL(VSIFileFromMemBuffer)(path.c_str(), data, bytes.size(), FALSE));
   return path;
 }
 
-std::string file_bytes(const std::string& path, const std::string& label) {
-  constexpr vsi_l_offset kMost = vsi_l_offset{1} << 31;
+std::string gdal_file_bytes(const std::string& path, const std::string& label) {
   VSIStatBufL about{};
-  VSILFILE* file = VSIStatL(path.c_str(), &about) == 0 ? VSIFOpenL(path.c_str(), "rb") : nullptr;
-  if (file == nullptr) throw InputError{label + " cannot be read; check the name and the permissions"};
+  VSILFILE* file =
+      SELION_GDAL(VSIStatL)(path.c_str(), &about) == 0 ? SELION_GDAL(VSIFOpenL)(path.c_str(), "rb") : nullptr;
+  if (file == nullptr) refuse_unreadable(label);
   const auto size = static_cast<vsi_l_offset>(about.st_size);
   std::string bytes;
-  if (size <= kMost) {
+  if (size <= kLargestFile_bytes) {
     bytes.resize(size);
-    bytes.resize(VSIFReadL(bytes.data(), 1, bytes.size(), file));
+    bytes.resize(SELION_GDAL(VSIFReadL)(bytes.data(), 1, bytes.size(), file));
   }
-  VSIFCloseL(file);
-  if (size > kMost) throw InputError{label + " is larger than 2 GB; cut out the fields to be planned"};
-  if (bytes.size() < size) throw InputError{label + " cannot be read to its end; copy or export it anew"};
+  SELION_GDAL(VSIFCloseL)(file);
+  if (size > kLargestFile_bytes) refuse_too_large(label);
+  if (bytes.size() < size) refuse_cut_short(label);
   return bytes;
 }
 
-bool file_exists(const std::string& path) {
+bool gdal_file_exists(const std::string& path) {
   VSIStatBufL about{};
-  return VSIStatExL(path.c_str(), &about, VSI_STAT_EXISTS_FLAG) == 0;
+  return SELION_GDAL(VSIStatExL)(path.c_str(), &about, VSI_STAT_EXISTS_FLAG) == 0;
 }
 
 }  // namespace selion

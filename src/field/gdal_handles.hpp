@@ -39,7 +39,7 @@ class MemoryFolder {
 };
 
 /// A whole file, GDAL's virtual ones too. @throws InputError where it cannot be read or is beyond 2 GB.
-std::string file_bytes(const std::string& path, const std::string& label);
-bool file_exists(const std::string& path);
+std::string gdal_file_bytes(const std::string& path, const std::string& label);
+bool gdal_file_exists(const std::string& path);
 
 }  // namespace selion

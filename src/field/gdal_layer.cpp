@@ -2,75 +2,94 @@
 #include "gdal_layer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <memory>
+#include <type_traits>
 
-#include <cpl_conv.h>
-#include <ogrsf_frmts.h>
+#include <ogr_api.h>
+
+#include "gdal_crs.hpp"
+#include "gdal_library.hpp"
 
 namespace selion {
 namespace {
 
-using Geometry = std::unique_ptr<OGRGeometry>;
+struct DestroyGeometry {
+  void operator()(OGRGeometryH geometry) const { SELION_GDAL(OGR_G_DestroyGeometry)(geometry); }
+};
+using Geometry = std::unique_ptr<std::remove_pointer_t<OGRGeometryH>, DestroyGeometry>;
 
-RawRing ring_of(const OGRLineString& line, bool swap) {
+struct DestroyFeature {
+  void operator()(void* feature) const { SELION_GDAL(OGR_F_Destroy)(feature); }
+};
+
+RawPoint point_of(OGRGeometryH geometry, int i, bool swap) {
+  const RawPoint p{SELION_GDAL(OGR_G_GetX)(geometry, i), SELION_GDAL(OGR_G_GetY)(geometry, i)};
+  return swap ? RawPoint{p.y, p.x} : p;
+}
+
+RawRing ring_of(OGRGeometryH line, bool swap) {
+  const int count = SELION_GDAL(OGR_G_GetPointCount)(line);
   RawRing ring;
-  ring.reserve(static_cast<std::size_t>(line.getNumPoints()));
-  for (int i = 0; i < line.getNumPoints(); ++i) {
-    const RawPoint p{line.getX(i), line.getY(i)};
-    ring.push_back(swap ? RawPoint{p.y, p.x} : p);
-  }
+  ring.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) ring.push_back(point_of(line, i, swap));
   return ring;
 }
 
-void collect(const OGRGeometry& geometry, bool swap, RawFeature& into) {
+std::vector<OGRGeometryH> parts_of(OGRGeometryH geometry) {
+  std::vector<OGRGeometryH> parts;
+  for (int i = 0; i < SELION_GDAL(OGR_G_GetGeometryCount)(geometry); ++i)
+    parts.push_back(SELION_GDAL(OGR_G_GetGeometryRef)(geometry, i));
+  return parts;
+}
+
+void collect(OGRGeometryH geometry, bool swap, RawFeature& into) {
   constexpr double kStep_deg = 0.5;  // a chord leaves its arc by 5 mm at a radius of 500 m
-  if (geometry.IsEmpty() != 0) return;
-  if (geometry.hasCurveGeometry(TRUE) != 0) {
-    const Geometry linear{geometry.getLinearGeometry(kStep_deg, nullptr)};
-    if (linear) collect(*linear, swap, into);
+  if (SELION_GDAL(OGR_G_IsEmpty)(geometry) != 0) return;
+  if (SELION_GDAL(OGR_G_HasCurveGeometry)(geometry, TRUE) != 0) {
+    const Geometry linear{SELION_GDAL(OGR_G_GetLinearGeometry)(geometry, kStep_deg, nullptr)};
+    if (linear) collect(linear.get(), swap, into);
     return;
   }
-  switch (wkbFlatten(geometry.getGeometryType())) {
+  switch (SELION_GDAL(OGR_GT_Flatten)(SELION_GDAL(OGR_G_GetGeometryType)(geometry))) {
     case wkbPolygon:
     case wkbTriangle: {
       RawPolygon polygon;
-      for (const auto* ring : *geometry.toPolygon()) polygon.push_back(ring_of(*ring, swap));
+      for (OGRGeometryH ring : parts_of(geometry)) polygon.push_back(ring_of(ring, swap));
       into.polygons.push_back(std::move(polygon));
       return;
     }
     case wkbLineString:
-      into.lines.push_back(ring_of(*geometry.toLineString(), swap));
+      into.lines.push_back(ring_of(geometry, swap));
       return;
-    case wkbPoint: {
-      const RawPoint p{geometry.toPoint()->getX(), geometry.toPoint()->getY()};
-      into.points.push_back(swap ? RawPoint{p.y, p.x} : p);
+    case wkbPoint:
+      into.points.push_back(point_of(geometry, 0, swap));
       return;
-    }
     case wkbMultiPolygon:
     case wkbMultiLineString:
     case wkbMultiPoint:
     case wkbGeometryCollection:
-      for (const auto* part : *geometry.toGeometryCollection()) collect(*part, swap, into);
+      for (OGRGeometryH part : parts_of(geometry)) collect(part, swap, into);
       return;
     default:
-      into.notes.push_back(std::string{"a geometry of type "} + geometry.getGeometryName() + " is left out");
+      into.notes.push_back(std::string{"a geometry of type "} + SELION_GDAL(OGR_G_GetGeometryName)(geometry) +
+                           " is left out");
   }
 }
 
-std::string text_of(const OGRFeature& feature, int i) {
-  if (feature.GetFieldDefnRef(i)->GetType() != OFTStringList) return feature.GetFieldAsString(i);
+std::string text_of(OGRFeatureH feature, int i) {
+  if (SELION_GDAL(OGR_Fld_GetType)(SELION_GDAL(OGR_F_GetFieldDefnRef)(feature, i)) != OFTStringList)
+    return SELION_GDAL(OGR_F_GetFieldAsString)(feature, i);
   std::string joined;
-  for (char** one = feature.GetFieldAsStringList(i); one != nullptr && *one != nullptr; ++one)
+  for (char** one = SELION_GDAL(OGR_F_GetFieldAsStringList)(feature, i); one != nullptr && *one != nullptr;
+       ++one)
     joined += (joined.empty() ? "" : "; ") + std::string{*one};
   return joined;
 }
 
-void collect_attributes(const OGRFeature& feature, std::span<const std::string_view> skipped,
-                        RawFeature& into) {
-  for (int i = 0; i < feature.GetFieldCount(); ++i) {
-    if (!feature.IsFieldSetAndNotNull(i)) continue;
-    const std::string name = feature.GetFieldDefnRef(i)->GetNameRef();
+void collect_attributes(OGRFeatureH feature, std::span<const std::string_view> skipped, RawFeature& into) {
+  for (int i = 0; i < SELION_GDAL(OGR_F_GetFieldCount)(feature); ++i) {
+    if (SELION_GDAL(OGR_F_IsFieldSetAndNotNull)(feature, i) == 0) continue;
+    const std::string name = SELION_GDAL(OGR_Fld_GetNameRef)(SELION_GDAL(OGR_F_GetFieldDefnRef)(feature, i));
     if (std::find(skipped.begin(), skipped.end(), name) != skipped.end()) continue;
     bool was_latin1 = false;
     const std::string value = as_utf8(text_of(feature, i), was_latin1);
@@ -81,51 +100,23 @@ void collect_attributes(const OGRFeature& feature, std::span<const std::string_v
   }
 }
 
-/// A code where the definition is, beyond doubt, one of EPSG's, else WKT. Absent: the file has no usable CRS.
-std::optional<std::string> definition(const OGRSpatialReference* srs) {
-  if (srs == nullptr || srs->IsEmpty()) return std::nullopt;
-  const char* name = srs->GetName();
-  if (name != nullptr && std::string_view{name}.starts_with("Undefined "))
-    return std::nullopt;  // of GeoPackages
-  OGRSpatialReference flat{*srs};
-  flat.StripVertical();
-  const auto code = [](const OGRSpatialReference& one) -> std::optional<std::string> {
-    const char* authority = one.GetAuthorityName(nullptr);
-    const char* number = one.GetAuthorityCode(nullptr);
-    if (authority == nullptr || number == nullptr) return std::nullopt;
-    return std::string{authority} + ":" + number;
-  };
-  if (auto own = code(flat)) return own;
-  constexpr int kSure = 90;
-  const std::unique_ptr<OGRSpatialReference> match{flat.FindBestMatch(kSure, nullptr, nullptr)};
-  if (match) return code(*match);
-  char* wkt = nullptr;
-  const std::array<const char*, 2> options{"FORMAT=WKT2_2019", nullptr};
-  flat.exportToWkt(&wkt, options.data());
-  std::string text = wkt == nullptr ? "" : wkt;
-  CPLFree(wkt);
-  return text;
-}
-
-/// Vector drivers give x (easting, longitude) first, whatever the CRS says, unless they say that they do not.
-bool northing_first(const OGRSpatialReference* srs) {
-  return srs != nullptr && srs->GetAxisMappingStrategy() == OAMS_AUTHORITY_COMPLIANT &&
-         (srs->EPSGTreatsAsLatLong() != 0 || srs->EPSGTreatsAsNorthingEasting() != 0);
-}
-
 }  // namespace
 
-RawLayer read_layer(OGRLayer& layer, std::span<const std::string_view> skipped_attributes) {
+RawLayer read_layer(void* opened, std::span<const std::string_view> skipped_attributes) {
+  auto* layer = static_cast<OGRLayerH>(opened);
   RawLayer raw;
-  raw.name = layer.GetName();
-  raw.crs = definition(layer.GetSpatialRef());
-  const bool swap = northing_first(layer.GetSpatialRef());
-  layer.ResetReading();
-  while (const auto feature = std::unique_ptr<OGRFeature>{layer.GetNextFeature()}) {
+  raw.name = SELION_GDAL(OGR_L_GetName)(layer);
+  void* srs = SELION_GDAL(OGR_L_GetSpatialRef)(layer);
+  raw.crs = crs_definition(srs);
+  const bool swap = northing_first(srs);
+  SELION_GDAL(OGR_L_ResetReading)(layer);
+  while (OGRFeatureH feature = SELION_GDAL(OGR_L_GetNextFeature)(layer)) {
+    const std::unique_ptr<void, DestroyFeature> kept{feature};
     RawFeature one;
     one.number = static_cast<int>(raw.features.size()) + 1;
-    collect_attributes(*feature, skipped_attributes, one);
-    if (feature->GetGeometryRef() != nullptr) collect(*feature->GetGeometryRef(), swap, one);
+    collect_attributes(feature, skipped_attributes, one);
+    OGRGeometryH geometry = SELION_GDAL(OGR_F_GetGeometryRef)(feature);
+    if (geometry != nullptr) collect(geometry, swap, one);
     raw.features.push_back(std::move(one));
   }
   return raw;

@@ -6,11 +6,9 @@
 
 #include "raw.hpp"
 
-class OGRLayer;
-
 namespace selion {
 
-/// All features of a layer that GDAL has opened, curves as chords.
-RawLayer read_layer(OGRLayer& layer, std::span<const std::string_view> skipped_attributes);
+/// All features of a layer that GDAL has opened (an OGRLayerH), curves as chords.
+RawLayer read_layer(void* opened, std::span<const std::string_view> skipped_attributes);
 
 }  // namespace selion

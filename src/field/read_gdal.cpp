@@ -5,10 +5,14 @@
 #include <span>
 
 #include <cpl_conv.h>
-#include <gdal_priv.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
 
+#include "file_bytes.hpp"
 #include "gdal_handles.hpp"
 #include "gdal_layer.hpp"
+#include "gdal_library.hpp"
 #include "raw.hpp"
 #include "selion/core/error.hpp"
 #include "text.hpp"
@@ -34,22 +38,28 @@ void throw_first(const GdalMessages& messages, const std::string& path, const st
                      "; export it anew"};
 }
 
+struct Close {
+  void operator()(void* dataset) const { SELION_GDAL(GDALClose)(dataset); }
+};
+
 /// Appends the layers of one data set.
 void read_dataset(const std::string& path, const std::string& label, RawFile& into) {
-  GDALAllRegister();
+  SELION_GDAL(GDALAllRegister)();
   GdalMessages messages;
-  const std::unique_ptr<GDALDataset> dataset{
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR)};
+  const std::unique_ptr<void, Close> dataset{SELION_GDAL(GDALOpenEx)(
+      path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr)};
   if (!dataset) {
     throw_first(messages, path, label);
     throw InputError{label +
                      " is no vector file that GDAL reads; export the field as GeoJSON, KML or shapefile"};
   }
-  const std::string driver = dataset->GetDriverName();
+  const std::string driver =
+      SELION_GDAL(GDALGetDriverShortName)(SELION_GDAL(GDALGetDatasetDriver)(dataset.get()));
   into.layers_are_folders = driver == "LIBKML" || driver == "KML";
   using Names = std::span<const std::string_view>;
   const Names skipped = into.layers_are_folders ? Names{kKmlDrawing} : Names{};
-  for (OGRLayer* layer : dataset->GetLayers()) into.layers.push_back(read_layer(*layer, skipped));
+  for (int i = 0; i < SELION_GDAL(GDALDatasetGetLayerCount)(dataset.get()); ++i)
+    into.layers.push_back(read_layer(SELION_GDAL(GDALDatasetGetLayer)(dataset.get(), i), skipped));
   throw_first(messages, path, label);
   for (const std::string& warning : messages.warnings)
     if (!warning.starts_with("Non closed ring"))  // said with the ring's name when it is closed
@@ -71,7 +81,7 @@ std::optional<std::string> sibling(const std::string& path, const std::string& o
   std::string upper = other;
   for (char& c : upper) c = static_cast<char>(c - 'a' + 'A');
   for (const std::string& one : {other, upper})
-    if (file_exists(without_extension(path) + "." + one)) return without_extension(path) + "." + one;
+    if (gdal_file_exists(without_extension(path) + "." + one)) return without_extension(path) + "." + one;
   return std::nullopt;
 }
 
@@ -85,23 +95,23 @@ void read_without_index(const std::string& path, const std::string& bytes, const
   for (std::size_t i = 0; i < endings.size(); ++i) {
     const auto beside = sibling(path, endings[i]);
     if (!beside) continue;
-    others[i] = file_bytes(*beside, label);
+    others[i] = gdal_file_bytes(*beside, label);
     folder.add(stem + "." + endings[i], others[i]);
   }
   const std::string copy = folder.add(stem + ".shp", bytes);
-  CPLSetThreadLocalConfigOption("SHAPE_RESTORE_SHX", "YES");
+  SELION_GDAL(CPLSetThreadLocalConfigOption)("SHAPE_RESTORE_SHX", "YES");
   try {
     read_dataset(copy, label, into);
   } catch (...) {
-    CPLSetThreadLocalConfigOption("SHAPE_RESTORE_SHX", nullptr);
+    SELION_GDAL(CPLSetThreadLocalConfigOption)("SHAPE_RESTORE_SHX", nullptr);
     throw;
   }
-  CPLSetThreadLocalConfigOption("SHAPE_RESTORE_SHX", nullptr);
+  SELION_GDAL(CPLSetThreadLocalConfigOption)("SHAPE_RESTORE_SHX", nullptr);
   into.notes.push_back(label + ": its .shx is missing; the records are counted anew");
 }
 
 void read_shapefile(const std::string& path, const std::string& label, RawFile& into) {
-  const std::string bytes = file_bytes(path, label);
+  const std::string bytes = gdal_file_bytes(path, label);
   check_shapefile(bytes, label);
   if (sibling(path, "shx"))
     read_dataset(path, label, into);
@@ -113,11 +123,11 @@ void read_shapefile(const std::string& path, const std::string& label, RawFile& 
 bool starts_as_xml(const std::string& path, const std::string& label) {
   constexpr std::array<std::string_view, 6> kXml{"xml", "kml", "gml", "gpx", "xsd", "isoxml"};
   if (std::find(kXml.begin(), kXml.end(), extension(path)) != kXml.end()) return true;
-  VSILFILE* file = VSIFOpenL(path.c_str(), "rb");
-  if (file == nullptr) throw InputError{label + " cannot be read; check the name and the permissions"};
+  VSILFILE* file = SELION_GDAL(VSIFOpenL)(path.c_str(), "rb");
+  if (file == nullptr) refuse_unreadable(label);
   std::string start(64, ' ');
-  start.resize(VSIFReadL(start.data(), 1, start.size(), file));
-  VSIFCloseL(file);
+  start.resize(SELION_GDAL(VSIFReadL)(start.data(), 1, start.size(), file));
+  SELION_GDAL(VSIFCloseL)(file);
   const auto first = start.find_first_not_of(std::string_view{"\xEF\xBB\xBF\xFF\xFE \t\r\n\0", 10});
   return first != std::string::npos && start[first] == '<';
 }
@@ -126,7 +136,7 @@ void read_one(const std::string& path, const std::string& label, RawFile& into) 
   if (extension(path) == "shp") {
     read_shapefile(path, label, into);
   } else if (starts_as_xml(path, label)) {
-    const std::string bytes = file_bytes(path, label);
+    const std::string bytes = gdal_file_bytes(path, label);
     for (std::string& note : check_xml(bytes, label)) into.notes.push_back(std::move(note));
     MemoryFolder folder;
     read_dataset(folder.add(file_name(path), bytes), label, into);
@@ -138,12 +148,12 @@ void read_one(const std::string& path, const std::string& label, RawFile& into) 
 /// Every file in the archive with one of these endings, in order of their names.
 std::vector<std::string> members(const std::string& archive, std::string_view ending) {
   GdalMessages messages;
-  char** list = VSIReadDirRecursive(archive.c_str());
+  char** list = SELION_GDAL(VSIReadDirRecursive)(archive.c_str());
   std::vector<std::string> found;
   for (char** one = list; one != nullptr && *one != nullptr; ++one)
     if (extension(*one) == ending && !file_name(*one).starts_with("._"))
       found.push_back(archive + "/" + *one);
-  CSLDestroy(list);
+  SELION_GDAL(CSLDestroy)(list);
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -155,7 +165,7 @@ void read_archive(const std::string& file, const std::string& label, RawFile& in
     for (const std::string& one : found) {
       const std::string name = label + ": " + one.substr(archive.size() + 1);
       if (ending == "geojson" || ending == "json") {
-        RawFile inside = read_json(file_bytes(one, name), name, file_name(without_extension(one)));
+        RawFile inside = read_json(gdal_file_bytes(one, name), name, file_name(without_extension(one)));
         into.notes.insert(into.notes.end(), inside.notes.begin(), inside.notes.end());
         into.layers.push_back(std::move(inside.layers.front()));
       } else {

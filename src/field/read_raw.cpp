@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iterator>
 
-#include "gdal_handles.hpp"
+#include "file_bytes.hpp"
 #include "raw.hpp"
 #include "selion/core/error.hpp"
 #include "text.hpp"
@@ -30,9 +30,9 @@ RawFile read_raw(const std::filesystem::path& path, const ReadOptions& options,
   const auto is = [&ending](const auto&... endings) { return ((ending == endings) || ...); };
   const std::string stem = path.stem().string();
   if (is(".csv", ".txt", ".tsv", ".xyz", ".dat", ".pts"))
-    return read_text(file_bytes(label, label), label, stem, options);
+    return read_text(file_bytes(path, label), label, stem, options);
   if (is(".geojson", ".json")) {
-    const std::string text = file_bytes(label, label);
+    const std::string text = file_bytes(path, label);
     if (is_geojson(text)) return read_json(text, label, stem);
   }
   return read_with_gdal(path, label);

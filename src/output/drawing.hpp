@@ -105,11 +105,13 @@ struct Drawing {
   void add(LayerEnd end);
 };
 
+class Font;
+
 /// Text stays text: <text> elements with the width that was measured for them. Layers become groups of that
 /// class.
-std::string to_svg(const Drawing& page);
+std::string to_svg(const Drawing& page, const Font& font);
 /// Text stays text (it can be searched and copied). No clock: the creation date is left out.
-std::string to_pdf(const Drawing& page);
+std::string to_pdf(const Drawing& page, const Font& font);
 
 PageShape filled(PageBox box, Colour fill);
 PageShape outlined(PageBox box, Stroke stroke);

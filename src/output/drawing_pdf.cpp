@@ -20,7 +20,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 
 class Painter {
  public:
-  explicit Painter(cairo_t* page) : page_{page} {
+  Painter(cairo_t* page, const Font& font) : page_{page}, font_{font} {
     cairo_scale(page_, kPtPerMm, kPtPerMm);
     cairo_set_fill_rule(page_, CAIRO_FILL_RULE_EVEN_ODD);
     cairo_set_line_join(page_, CAIRO_LINE_JOIN_ROUND);
@@ -66,7 +66,7 @@ class Painter {
   void use(Colour c) { cairo_set_source_rgb(page_, c.red / 255.0, c.green / 255.0, c.blue / 255.0); }
 
   cairo_t* page_;
-  Font font_;
+  const Font& font_;
 };
 
 /// Cairo always writes a date. A false one would mislead, so its entry becomes spaces, which keeps every
@@ -80,7 +80,7 @@ void drop_date(std::string& pdf) {
 
 }  // namespace
 
-std::string to_pdf(const Drawing& page) {
+std::string to_pdf(const Drawing& page, const Font& font) {
   std::string pdf;
   cairo_surface_t* surface =
       cairo_pdf_surface_create_for_stream(append, &pdf, page.width_mm * kPtPerMm, page.height_mm * kPtPerMm);
@@ -89,7 +89,7 @@ std::string to_pdf(const Drawing& page) {
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   cairo_t* context = cairo_create(surface);
   {
-    Painter painter{context};
+    Painter painter{context, font};
     for (const PageItem& item : page.items) std::visit([&painter](const auto& it) { painter.add(it); }, item);
   }
   const cairo_status_t drawn = cairo_status(context);

@@ -51,6 +51,8 @@ std::string hex(Colour colour) {
 
 class Writer {
  public:
+  explicit Writer(const Font& font) : font_{font} {}
+
   std::string page(const Drawing& page) {
     const std::string width = number(page.width_mm);
     const std::string height = number(page.height_mm);
@@ -118,13 +120,13 @@ class Writer {
 
   void add(const LayerEnd& /*end*/) { out_ += "</g>\n"; }
 
-  Font font_;
+  const Font& font_;
   std::string out_;
   int clips_ = 0;
 };
 
 }  // namespace
 
-std::string to_svg(const Drawing& page) { return Writer{}.page(page); }
+std::string to_svg(const Drawing& page, const Font& font) { return Writer{font}.page(page); }
 
 }  // namespace selion

@@ -2,6 +2,8 @@
 #include "font.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 #include <pango/pangocairo.h>
 
@@ -31,14 +33,12 @@ std::size_t next_letter(const std::string& text, std::size_t at) {
   return at;
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words{""};
+/// The words with one space between them.
+std::string spaced_once(const std::string& text) {
+  std::string words;
   for (const char c : text)
-    if (c != ' ')
-      words.back() += c;
-    else if (!words.back().empty())
-      words.emplace_back();
-  if (words.back().empty()) words.pop_back();
+    if (c != ' ' || (!words.empty() && words.back() != ' ')) words += c;
+  if (words.ends_with(' ')) words.pop_back();
   return words;
 }
 
@@ -79,6 +79,23 @@ struct Font::Setting {
     pango_layout_get_size(layout.get(), &width, nullptr);
     return kMmPerPt * width / PANGO_SCALE;
   }
+
+  /// How far the text before each byte reaches in Pango's units, at last all of it. Absent where letters run
+  /// from right to left: there a part may be set otherwise than within the whole.
+  [[nodiscard]] std::optional<std::vector<int>> reaches(const std::string& text, TextStyle style) const {
+    const Layout whole = layout(text, style);
+    std::vector<int> reach(text.size() + 1, 0);
+    for (GSList* run = pango_layout_get_line_readonly(whole.get(), 0)->runs; run != nullptr;
+         run = run->next) {
+      const auto& [item, glyphs, y_offset, start, end] = *static_cast<const PangoGlyphItem*>(run->data);
+      if (item->analysis.level % 2 != 0) return std::nullopt;
+      for (int i = 0; i < glyphs->num_glyphs; ++i)
+        reach[static_cast<std::size_t>(item->offset + glyphs->log_clusters[i]) + 1] +=
+            glyphs->glyphs[i].geometry.width;
+    }
+    std::partial_sum(reach.begin(), reach.end(), reach.begin());
+    return reach;
+  }
 };
 
 Font::Font() : setting_{std::make_unique<Setting>()} {}
@@ -97,22 +114,32 @@ std::size_t Font::fitting_letters(const std::string& word, TextStyle style, doub
 }
 
 std::vector<std::string> Font::wrapped(const std::string& text, TextStyle style, double width_mm) const {
-  std::vector<std::string> lines{""};
-  for (std::string word : words_of(printable(text))) {
-    const std::string longer = lines.back().empty() ? word : lines.back() + ' ' + word;
-    if (this->width_mm(longer, style) <= width_mm) {
-      lines.back() = longer;
-      continue;
+  const std::string words = spaced_once(printable(text));
+  // All at once, for setting it is what takes time.
+  const auto reach = setting_->reaches(words, style);
+  const auto fits = [&](std::size_t from, std::size_t to) {
+    return (reach ? kMmPerPt * ((*reach)[to] - (*reach)[from]) / PANGO_SCALE
+                  : this->width_mm(words.substr(from, to - from), style)) <= width_mm;
+  };
+  std::vector<std::string> lines;
+  std::size_t line = 0;  // where it begins, and
+  std::size_t end = 0;   // where it ends so far
+  for (std::size_t word = 0; word < words.size(); word = end + 1) {
+    const std::size_t word_end = std::min(words.find(' ', word), words.size());
+    if (!fits(line, word_end) && end > line) {
+      lines.push_back(words.substr(line, end - line));
+      line = word;
     }
-    if (!lines.back().empty()) lines.emplace_back();
-    for (std::size_t cut = fitting_letters(word, style, width_mm); cut < word.size();
-         cut = fitting_letters(word, style, width_mm)) {
-      lines.back() = word.substr(0, cut);
-      lines.emplace_back();
-      word.erase(0, cut);
+    while (!fits(line, word_end)) {
+      const std::string rest = words.substr(line, word_end - line);
+      const std::size_t cut = fitting_letters(rest, style, width_mm);
+      if (cut == rest.size()) break;
+      lines.push_back(rest.substr(0, cut));
+      line += cut;
     }
-    lines.back() = word;
+    end = word_end;
   }
+  lines.push_back(words.substr(line));
   return lines;
 }
 

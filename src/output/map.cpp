@@ -97,8 +97,7 @@ void draw_map(MapSheet& sheet) {
   draw_directions(sheet);
 }
 
-Drawing map_page(const PlanFile& plan, const MapText& text, const MapOptions& options) {
-  const Font font;
+Drawing map_page(const PlanFile& plan, const MapText& text, const MapOptions& options, const Font& font) {
   const PlanPlane plane{plan.proj};
   const Extent extent = extent_of(plan, plane);
   const Point centre = 0.5 * (extent.low + extent.high);
@@ -125,12 +124,15 @@ Drawing map_page(const PlanFile& plan, const MapText& text, const MapOptions& op
 
 }  // namespace
 
-std::string map_svg(const PlanFile& plan, const MapText& text, const MapOptions& options) {
-  return to_svg(map_page(plan, text, options));
+void find_fonts() {
+  const Font font;
+  static_cast<void>(font.width_mm("0", TextStyle{}));
 }
 
-std::string map_pdf(const PlanFile& plan, const MapText& text, const MapOptions& options) {
-  return to_pdf(map_page(plan, text, options));
+MapFiles map_files(const PlanFile& plan, const MapText& text, const MapOptions& options) {
+  const Font font;
+  const Drawing page = map_page(plan, text, options, font);
+  return {to_svg(page, font), to_pdf(page, font)};
 }
 
 }  // namespace selion

@@ -27,8 +27,16 @@ struct MapOptions {
   Paper paper = Paper::a4;
 };
 
-/// The printed map, vector with real text. Same plan, same bytes.
-std::string map_svg(const PlanFile& plan, const MapText& text, const MapOptions& options);
-std::string map_pdf(const PlanFile& plan, const MapText& text, const MapOptions& options);
+/// One page in both formats, vector with real text.
+struct MapFiles {
+  std::string svg;
+  std::string pdf;
+};
+
+/// Looks up which fonts the system has, once for all maps: the first map would wait for it.
+void find_fonts();
+
+/// The printed map. Same plan, same bytes.
+MapFiles map_files(const PlanFile& plan, const MapText& text, const MapOptions& options);
 
 }  // namespace selion
