@@ -53,7 +53,7 @@ class Filler {
  private:
   static constexpr std::size_t kOthers = 0;
   struct RingLegs {
-    std::vector<Leg> legs;
+    std::vector<RingLeg> legs;
     std::size_t first_bend = 0;  ///< whose the first bend's strips are; of the next ones the next
   };
   /// What a straight piece finds unworked, and how far it has to go for that.
@@ -64,10 +64,10 @@ class Filler {
 
   RingLegs ring_of(const HeadlandPass& pass) {
     RingLegs ring{
-        pass.closed ? legs_of(pass.path, kLeastSide * ground_.machine.working_width_m) : std::vector<Leg>{},
+        pass.closed ? legs_of(pass.path, kLeastSide * ground_.machine.working_width_m) : std::vector<RingLeg>{},
         bends_};
     if (ring.legs.empty()) swept_.add(pass.path, kOthers);
-    for (const Leg& leg : ring.legs) {
+    for (const RingLeg& leg : ring.legs) {
       swept_.add({leg.side}, kOthers);
       swept_.add(leg.bend, bends_++);
     }
@@ -139,14 +139,14 @@ class Filler {
   }
 
   std::optional<Fill> fill_after(const RingLegs& ring, std::size_t i) {
-    const Leg& leg = ring.legs[i];
+    const RingLeg& leg = ring.legs[i];
     const auto turn = left_turn(leg.bend);
     if (!turn || turn->before_m < 0 || turn->after_m < 0) return std::nullopt;
     const std::size_t bend = ring.first_bend + i;
     auto fill = worthwhile(*turn, bend);
     if (!fill) return std::nullopt;
     if (!fill->round) {
-      const Leg& next = ring.legs[(i + 1) % ring.legs.size()];
+      const RingLeg& next = ring.legs[(i + 1) % ring.legs.size()];
       auto way =
           way_round(ground_, *turn, leg.bend, *fill, {leg.side.curve.length_m, next.side.curve.length_m});
       if (!way) return std::nullopt;

@@ -41,14 +41,14 @@ class Parts {
 
 }  // namespace
 
-std::vector<Leg> legs_of(const Path& closed, double least_side_m) {
+std::vector<RingLeg> legs_of(const Path& closed, double least_side_m) {
   const auto is_side = [&](const Stretch& stretch) {
     return stretch.curve.curvature_per_m == 0 && stretch.curve.sharpness_per_m2 == 0 &&
            stretch.curve.length_m >= least_side_m;
   };
   Path path = closed;
   std::rotate(path.begin(), std::find_if(path.begin(), path.end(), is_side), path.end());
-  std::vector<Leg> legs;
+  std::vector<RingLeg> legs;
   for (const Stretch& stretch : path) {
     if (is_side(stretch))
       legs.push_back({stretch, {}});
@@ -86,7 +86,7 @@ Path straight(const Pose& from, double by_m) {
   return {{line(from.at, on_from(from, by_m).at), by_m > 0 ? Gear::forward : Gear::reverse}};
 }
 
-std::vector<HeadlandPart> cut(const std::vector<Leg>& legs, const std::vector<std::optional<Fill>>& fills) {
+std::vector<HeadlandPart> cut(const std::vector<RingLeg>& legs, const std::vector<std::optional<Fill>>& fills) {
   const auto first =
       std::find_if(fills.begin(), fills.end(), [](const auto& fill) { return fill.has_value(); });
   const auto last = static_cast<std::size_t>(first - fills.begin());

@@ -9,12 +9,12 @@
 namespace selion {
 
 /// A straight side of a closed pass and the bend that leads to the next one.
-struct Leg {
+struct RingLeg {
   Stretch side;
   Path bend;
 };
 /// All around; straights shorter than `least_side_m` are parts of bends. Empty where there is no side.
-std::vector<Leg> legs_of(const Path& closed, double least_side_m);
+std::vector<RingLeg> legs_of(const Path& closed, double least_side_m);
 
 /// A bend to the left all along, between sides whose lines cross in one corner.
 struct LeftTurn {
@@ -41,6 +41,6 @@ Path straight(const Pose& from, double by_m);
 
 /// The ring cut at the bends that have a fill, into parts in the order in which they are driven.
 /// @pre a fill or none for each leg, at least one.
-std::vector<HeadlandPart> cut(const std::vector<Leg>& legs, const std::vector<std::optional<Fill>>& fills);
+std::vector<HeadlandPart> cut(const std::vector<RingLeg>& legs, const std::vector<std::optional<Fill>>& fills);
 
 }  // namespace selion

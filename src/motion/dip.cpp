@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNoCurve_m = 1e-12;
 constexpr double kMet_m = 1e-9;
-constexpr double kSettled = 3e-8;
+constexpr double kSettled = 1e-4;
 
 /// Half of a dip: clothoid up to the peak, arc, clothoid down to the dip.
 struct Half {
@@ -85,8 +85,8 @@ std::optional<Point> way_of(const Dip& dip, const Swings& swings) {
 
 /// The dip whose arcs' centres are `apart_m` from each other, 0 < apart_m < 2 a. Half of that, x, is seen
 /// from the dip; dx/dq = (q y - 1) / g and dy/dq = -q x / g. So x falls with the dip's curvature q nearly as
-/// p^2, p = K - q: x = p^2 / (2 g K) (1 - (K p / g)^2 / 12 + 7 K p^3 / (60 g^2) - ...), and Newton steps in
-/// its square root finish.
+/// p^2, p = K - q: x = p^2 / (2 g K) (1 - (K p / g)^2 / 12 + 7 K p^3 / (60 g^2) - ...), and Halley's steps
+/// in its square root finish.
 double dip_of(double apart_m, const Swings& swings) {
   const double k = swings.limits().curvature_per_m;
   const double g = swings.limits().sharpness_per_m2;
@@ -100,10 +100,13 @@ double dip_of(double apart_m, const Swings& swings) {
     const Point centre = turned(mirrored(rise.turn), swings.centre()) - rise.way;
     if (!(centre.x_m > 0)) break;
     const double root = std::sqrt(centre.x_m);
-    const double slope = (dip * centre.y_m - 1) / (2 * g * root);
-    const double step = (root - goal) / slope;
+    const double fall = (dip * centre.y_m - 1) / g;                      // dx/dq
+    const double bow = (centre.y_m - dip * dip * centre.x_m / g) / g;    // its own
+    const double newton = 2 * root * (root - goal) / fall;
+    const double halley = 1 - newton * (bow / fall - fall / (2 * centre.x_m)) / 2;
+    const double step = newton / halley;
     dip = std::clamp(dip - step, 0.0, k);
-    if (std::abs(step) < kSettled * k) break;  // the next one is its square
+    if (std::abs(step) < kSettled * k) break;  // the next one is its cube
   }
   return dip;
 }
@@ -239,7 +242,7 @@ void draw_dip(Drawn& drawn, const Dip& dip, const Swings& swings) {
   const Rise down = between(low, peak);
   draw.arc(first->peak_per_m, first->arc_m, turned(dip.first, mirrored(turned(peak.turn, down.turn))));
   draw.ramp({first->peak_per_m, -g, first->down_m, turned(down.turn, mirrored(down.way)), down.turn});
-  const Rise up = between(low, next_peak);
+  const Rise up = second->peak_per_m == first->peak_per_m ? down : between(low, next_peak);
   draw.ramp({second->peak_per_m - g * second->down_m, g, second->down_m, up.way, up.turn});
   draw.arc(second->peak_per_m, second->arc_m, turned(dip.second, mirrored(turned(next_peak.turn, up.turn))));
   draw.ramp({second->peak_per_m, -g, second->up_m, mirrored(next_peak.way), next_peak.turn});

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "selion/geometry/simplify.hpp"
+
+using namespace selion;
+
+namespace {
+
+Ring circle(double radius_m, int corners) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i) ring.push_back(radius_m * unit(2 * std::numbers::pi * i / corners));
+  return ring;
+}
+
+double off_m(const Ring& ring, Point p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Point along = ring[i] - ring[j];
+    const double t = std::clamp(dot(p - ring[j], along) / dot(along, along), 0.0, 1.0);
+    least = std::min(least, distance_m(p, ring[j] + t * along));
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("an area whose corners lie a metre apart or more stays as it is", "[geometry]") {
+  const Polygon area{circle(100, 600), {circle(20, 100)}};
+  const Evened evened_area = evened(area);
+  CHECK(evened_area.area == area);
+  CHECK(evened_area.stray_m == 0);
+}
+
+TEST_CASE("corners close together are evened out by no more than is said", "[geometry]") {
+  const Polygon area{circle(100, 6000), {circle(20, 1500)}};
+  const Evened evened_area = evened(area);
+  CHECK(evened_area.area.shell.size() < 630);
+  CHECK(evened_area.stray_m > 0);
+  CHECK(evened_area.stray_m <= 0.1);
+  double worst_m = 0;
+  for (const Point p : area.shell) worst_m = std::max(worst_m, off_m(evened_area.area.shell, p));
+  for (const Point p : area.holes[0]) worst_m = std::max(worst_m, off_m(evened_area.area.holes[0], p));
+  CHECK(worst_m > 0);
+  CHECK(worst_m <= evened_area.stray_m);
+}

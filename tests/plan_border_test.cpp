@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "field_samples.hpp"
+#include "plan_check.hpp"
+#include "selion/plan/job_file.hpp"
+#include "selion/plan/plan.hpp"
+
+using namespace selion;
+
+namespace {
+
+/// A round bay-and-cape field of 5 ha as somebody drives its border with a receiver: a corner each 0.2 m, every
+/// one off by up to `noise_m`.
+Field driven_border(double noise_m) {
+  constexpr int kCorners = 4000;
+  std::mt19937 random{5};
+  Ring ring;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    const double off = noise_m * (2 * static_cast<double>(random()) / 0x1p32 - 1);
+    ring.push_back((126 * (1 + 0.1 * std::cos(2 * angle + 0.3) + 0.05 * std::cos(3 * angle + 1)) + off) *
+                   unit(angle));
+  }
+  return field_of_metres({{ring, {}}});
+}
+
+Job forwards_4m() {
+  return job_of(settings_of_toml(
+      "[machine]\npreset = \"p3\"\nworking_width_m = 4\nbody_width_m = 4\nfront_m = 2.4\nrear_m = 0.6\n"
+      "max_steer_deg = 18\nmay_reverse = false\n",
+      "test"));
+}
+
+}  // namespace
+
+TEST_CASE("a border driven with a receiver's noise is worked all round, forwards only", "[plan]") {
+  const double noise_m = GENERATE(0.0, 0.01, 0.03);
+  CAPTURE(noise_m);
+  const Job job = forwards_4m();
+
+  const auto planned = plan(driven_border(noise_m), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(100 * block.covered_m2 / block.area_m2 >= 99.5);
+  CHECK(faults_of(*planned, job.machine).empty());
+}
