@@ -51,6 +51,11 @@ Polygons without_slits(const Ground& ground, const Polygons& areas) {
   return intersect(outset(inset(areas, narrow_m), narrow_m, kSharpest), areas);
 }
 
+HeadlandPass pass_of(const Ground& ground, std::size_t number, int ring, HeadlandRun run) {
+  const bool either_way = fits(ground.space, ground.footprint, turned_round(run.path));
+  return {"H" + std::to_string(number), ring, std::move(run.path), run.closed, {}, either_way};
+}
+
 }  // namespace
 
 double turn_depth_m(const Machine& machine, double spacing_m) {
@@ -91,7 +96,7 @@ std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
     for (const Ring& line :
          rings_of(without_slits(ground, inset(ground.workable, ring_inset_m(ground, ring)))))
       for (HeadlandRun& run : drivable_along(ground, line, swing_out_room_m(ground, ring)))
-        laid.push_back({"H" + std::to_string(laid.size() + 1), ring, std::move(run.path), run.closed});
+        laid.push_back(pass_of(ground, laid.size() + 1, ring, std::move(run)));
   return laid;
 }
 

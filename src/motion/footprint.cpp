@@ -21,6 +21,7 @@ using Corners = std::array<Point, 4>;
 
 /// A pose with its direction worked out.
 struct Stand {
+  Stand() = default;
   explicit Stand(const Pose& pose) : at{pose.at}, ahead{unit(pose.heading_rad)} {}
   Stand(Point place, Point direction) : at{place}, ahead{direction} {}
   [[nodiscard]] Point operator()(double x_m, double y_m) const {
@@ -89,14 +90,51 @@ Box together(const Box& a, const Box& b) {
 /// Body and tool at b, and what front, rear and tool sweep from a to b: a spike of the border that enters and
 /// leaves between two stands has to cross one of these.
 bool clear_between(const FreeSpace& space, const Footprint& f, const Stand& a, const Stand& b) {
-  if (space.far_from_border(a.at) && space.far_from_border(b.at)) return true;
-  if (space.empty(together(box_around(f, a), box_around(f, b)))) return true;
   const double half_body = f.half_body_m - kGive_m;
   return space.clear(rectangle(b, -f.rear_m + kGive_m, f.front_m - kGive_m, half_body)) &&
          clear_across(space, a, b, f.tool_x_m, f.half_tool_m - kGive_m) &&
          clear_across(space, a, b, f.front_m - kGive_m, half_body) &&
          clear_across(space, a, b, -f.rear_m + kGive_m, half_body);
 }
+
+/// Several stands close together, one step after the other: what is far from the border is told of all at once.
+class Steps {
+ public:
+  static constexpr std::size_t kMost = 4;
+
+  Steps(const Footprint& f, const Stand& first) : footprint_{f} { add(first); }
+
+  [[nodiscard]] bool full() const { return count_ > kMost; }
+  void add(const Stand& stand) {
+    stands_[count_] = stand;
+    boxes_[count_++] = box_around(footprint_, stand);
+  }
+  [[nodiscard]] bool clear(const FreeSpace& space) const {
+    if (space.empty(box(0, count_))) return true;
+    for (std::size_t i = 1; i < count_; ++i)
+      if (!space.empty(box(i - 1, i + 1)) && !clear_between(space, footprint_, stands_[i - 1], stands_[i]))
+        return false;
+    return true;
+  }
+  /// The next ones begin where these end.
+  void begin_anew() {
+    stands_[0] = stands_[count_ - 1];
+    boxes_[0] = boxes_[count_ - 1];
+    count_ = 1;
+  }
+
+ private:
+  [[nodiscard]] Box box(std::size_t from, std::size_t to) const {
+    Box all = boxes_[from];
+    for (std::size_t i = from + 1; i < to; ++i) all = together(all, boxes_[i]);
+    return all;
+  }
+
+  const Footprint& footprint_;
+  std::size_t count_ = 0;
+  std::array<Stand, kMost + 1> stands_;
+  std::array<Box, kMost + 1> boxes_;
+};
 
 /// So short that no corner strays from its chord by more than kStray_m: the farthest moves 1 + k r as fast as
 /// the axle, on a circle of 1/k + r.
@@ -167,20 +205,30 @@ class Walk {
   Point more_;  ///< what that turn grows by
 };
 
+/// From `first` over `count` more stands, the i-th of them `stand(i)`, i from 1.
+template <class StandAt>
+bool clear_by_steps(const FreeSpace& space, const Footprint& f, const Stand& first, int count, StandAt stand) {
+  Steps steps{f, first};
+  for (int i = 1; i <= count; ++i) {
+    steps.add(stand(i));
+    if (!steps.full() && i < count) continue;
+    if (!steps.clear(space)) return false;
+    steps.begin_anew();
+  }
+  return true;
+}
+
 /// The whole circle at once where nothing is near; else from stand to stand.
 bool clear_around(const FreeSpace& space, const Footprint& f, const Stretch& pivot) {
   const Pose from = vehicle_pose(pivot, 0);
   if (space.far_from_border(from.at)) return true;
   const double step_rad = std::sqrt(8 * kStray_m / reach_m(f));
   const int steps = static_cast<int>(std::ceil(std::abs(pivot.pivot_rad) / step_rad));
-  Stand before{from};
-  if (!clear_at(space, f, before)) return false;
-  for (int i = 1; i <= steps; ++i) {
-    const Stand after{{from.at, from.heading_rad + pivot.pivot_rad * i / steps}};
-    if (!clear_between(space, f, before, after)) return false;
-    before = after;
-  }
-  return true;
+  const Stand first{from};
+  if (!clear_at(space, f, first)) return false;
+  return clear_by_steps(space, f, first, steps, [&](int i) {
+    return Stand{{from.at, from.heading_rad + pivot.pivot_rad * i / steps}};
+  });
 }
 
 bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
@@ -189,15 +237,12 @@ bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stre
   const double length = stretch.curve.length_m;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / curve_step_m(f, stretch.curve))));
   Walk walk{stretch, steps};
-  Stand before = walk.here();
-  if (!clear_at(space, f, before)) return false;
-  for (int i = 1; i <= steps; ++i) {
+  const Stand first = walk.here();
+  if (!clear_at(space, f, first)) return false;
+  return clear_by_steps(space, f, first, steps, [&walk](int) {
     walk.advance();
-    const Stand after = walk.here();
-    if (!clear_between(space, f, before, after)) return false;
-    before = after;
-  }
-  return true;
+    return walk.here();
+  });
 }
 
 }  // namespace

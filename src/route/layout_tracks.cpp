@@ -40,11 +40,9 @@ Path pocket_way(const Terrain& terrain, const Machine& machine, const Swath& poc
   return way;
 }
 
-/// A path on which the machine fits, and the other way where it fits on that, too.
-void add_both_ways(std::vector<Track>& tracks, const Terrain& terrain, const Path& path, bool closed) {
+void add_both_ways(std::vector<Track>& tracks, const Path& path, bool closed, bool either_way) {
   tracks.push_back(track_of(path, closed));
-  const Path back = turned_round(path);
-  if (fits(terrain.space, terrain.footprint, back)) tracks.push_back(track_of(back, closed));
+  if (either_way) tracks.push_back(track_of(turned_round(path), closed));
 }
 
 /// Of lines side by side, closer together than a turn from one to the next is wide, only so many lead
@@ -60,10 +58,10 @@ std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const
   std::vector<Track> tracks;
   for (const HeadlandPass& pass : layout.headland_passes)
     if (!pass.closed || pass.ring == 1 || (layout.passes - pass.ring) % apart == 0)
-      add_both_ways(tracks, terrain, pass.path, pass.closed);
+      add_both_ways(tracks, pass.path, pass.closed, pass.either_way);
   for (const Swath& pocket : layout.pockets)
     if (const Path way = pocket_way(terrain, machine, pocket); fits(terrain.space, terrain.footprint, way))
-      add_both_ways(tracks, terrain, way, false);
+      add_both_ways(tracks, way, false, fits(terrain.space, terrain.footprint, turned_round(way)));
   const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
   for (const Swath& swath : layout.swaths) {
     if (swath.strip % apart != 0) continue;

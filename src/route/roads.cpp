@@ -79,16 +79,18 @@ std::vector<std::size_t> Roads::likely(Point at, std::size_t but_track, Guess gu
   std::vector<std::pair<double, std::size_t>> by_distance;
   for (const std::size_t node : near(at))
     if (nodes_[node].track != but_track) by_distance.emplace_back(distance_m(pose(node).at, at), node);
-  std::sort(by_distance.begin(), by_distance.end());
   std::vector<std::pair<double, std::size_t>> ranked;
   std::vector<std::size_t> best;
   for (std::size_t i = 0; i < by_distance.size();) {
-    for (const std::size_t end = std::min(i + kAtOnce, by_distance.size()); i < end; ++i)
+    const std::size_t end = std::min(i + kAtOnce, by_distance.size());
+    const auto first = by_distance.begin() + static_cast<std::ptrdiff_t>(i);
+    std::partial_sort(first, first + static_cast<std::ptrdiff_t>(end - i), by_distance.end());
+    for (; i < end; ++i)
       ranked.emplace_back(guess(pose(by_distance[i].second)), by_distance[i].second);
     std::sort(ranked.begin(), ranked.end());
     best = foremost(ranked);
     const auto last = best.size() < kTurnsTried ? ranked.end() : place_of(ranked, best.back());
-    if (last != ranked.end() && i < by_distance.size() && by_distance[i].first > last->first) break;
+    if (last != ranked.end() && by_distance[i - 1].first > last->first) break;  // so are all others
   }
   return best;
 }

@@ -135,7 +135,7 @@ Task closed_pass_task(const Terrain& terrain, const HeadlandPass& pass, const st
   constexpr double kLaneChange = 12;  // turning radii: onto a ring at the border it is a wide one
   Task task{PieceKind::headland_pass, pass.id, {}, {}, true};
   Path line = round == Round::as_laid ? pass.path : turned_round(pass.path);
-  if (round == Round::turned && !fits(terrain.space, terrain.footprint, line)) return task;
+  if (round == Round::turned && !pass.either_way) return task;
   task.lines.push_back(std::move(line));
   begin_around(task, here, then_to, kLaneChange / terrain.limits.curvature_per_m);
   sort_nearest_first(task.ways, here);

@@ -19,12 +19,11 @@ void move_to_end(std::vector<Task>& tasks, std::vector<Task>& from) {
   from.clear();
 }
 
-bool fits_both_ways(const Terrain& terrain, const Layout& layout) {
-  return std::all_of(
-      layout.headland_passes.begin(), layout.headland_passes.end(), [&](const HeadlandPass& pass) {
-        const bool either = !pass.closed || fits(terrain.space, terrain.footprint, turned_round(pass.path));
-        return either && pass.parts.empty();
-      });
+bool either_way_round(const Layout& layout) {
+  return std::all_of(layout.headland_passes.begin(), layout.headland_passes.end(),
+                     [](const HeadlandPass& pass) {
+                       return (!pass.closed || pass.either_way) && pass.parts.empty();
+                     });
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ bool fits_both_ways(const Terrain& terrain, const Layout& layout) {
 /// Where one ring can only be driven as laid, so are the others: from ring to ring the machine then changes
 /// lanes instead of turning about.
 Work::Work(Driver& driver, const Layout& layout)
-    : driver_{driver}, layout_{layout}, either_way_round_{fits_both_ways(driver.terrain(), layout)} {}
+    : driver_{driver}, layout_{layout}, either_way_round_{either_way_round(layout)} {}
 
 Work::Entry Work::nearest_entry(const std::vector<Chain>& chains) const {
   Entry best;

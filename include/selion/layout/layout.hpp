@@ -32,6 +32,7 @@ struct HeadlandPass {
   Path path;
   bool closed = true;                 ///< ends where it begins; may then be begun anywhere
   std::vector<HeadlandPart> parts{};  ///< of a ring with filled corners: worked instead of `path`
+  bool either_way = false;            ///< the machine fits on `path` driven the other way, too
 
   friend bool operator==(const HeadlandPass&, const HeadlandPass&) = default;
 };
