@@ -74,7 +74,7 @@ std::size_t parts_of(const Layout& layout) {
 TEST_CASE("a square ring has four sides and four left turns in its corners", "[layout]") {
   const Layout layout = laid_out(block_of(kSquare), robot_4m(true), HeadlandCorners::round);
   for (const HeadlandPass& pass : layout.headland_passes) {
-    const std::vector<Leg> legs = legs_of(pass.path, 2);
+    const std::vector<RingLeg> legs = legs_of(pass.path, 2);
     REQUIRE(legs.size() == 4);
     for (std::size_t i = 0; i < legs.size(); ++i) {
       const auto turn = left_turn(legs[i].bend);

@@ -6,11 +6,14 @@
 namespace selion {
 
 std::vector<Path> leads_off(const Pose& from, const CurveLimits& limits) {
+  struct Kind {
+    double wider;
+    double turn_rad;
+  };
   std::vector<Path> leads;
-  for (const double wider : {8.0, 16.0, 32.0}) {
+  for (const auto& [wider, turn_rad] : {Kind{8, 0.3}, Kind{16, 0.2}, Kind{32, 0.1}}) {
     const Swings gentle{{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)}};
-    for (const double turn_rad : {0.1, -0.1, 0.2, -0.2, 0.3, -0.3})
-      leads.push_back(swing(from, turn_rad, gentle));
+    for (const double turn : {turn_rad, -turn_rad}) leads.push_back(swing(from, turn, gentle));
   }
   return leads;
 }
