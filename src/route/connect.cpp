@@ -19,20 +19,6 @@ double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) 
   return 20 / terrain.limits.curvature_per_m + 2 * distance_m(from.at, to.at);
 }
 
-/// Nothing, or straight on, where the goal lies there but for a tenth of what joints may miss: swings to mend
-/// that would be crumbs.
-std::optional<Path> straight_on(const Pose& from, const Pose& to) {
-  constexpr double kMiss = 1e-7;  // m, rad
-  const Point way = to.at - from.at;
-  const Point along = unit(from.heading_rad);
-  const double ahead_m = dot(way, along);
-  const bool in_line =
-      std::abs(cross(along, way)) < kMiss && std::abs(wrapped(to.heading_rad - from.heading_rad)) < kMiss;
-  if (!in_line || ahead_m < -kMiss) return std::nullopt;
-  if (ahead_m < kMiss) return Path{};
-  return Path{{{from.at, from.heading_rad, 0, 0, ahead_m}, Gear::forward}};
-}
-
 double over_mainland_m(const Terrain& terrain, const Stretch& stretch) {
   const double length = stretch.curve.length_m;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / kCostStep_m)));
@@ -139,6 +125,18 @@ double cost_m(const Terrain& terrain, const Path& path) {
   if (path.front().gear == Gear::reverse) cost += stop;
   if (path.back().gear == Gear::reverse) cost += stop;
   return cost;
+}
+
+std::optional<Path> straight_on(const Pose& from, const Pose& to) {
+  constexpr double kMiss = 1e-7;  // m, rad
+  const Point way = to.at - from.at;
+  const Point along = unit(from.heading_rad);
+  const double ahead_m = dot(way, along);
+  const bool in_line =
+      std::abs(cross(along, way)) < kMiss && std::abs(wrapped(to.heading_rad - from.heading_rad)) < kMiss;
+  if (!in_line || ahead_m < -kMiss) return std::nullopt;
+  if (ahead_m < kMiss) return Path{};
+  return Path{{{from.at, from.heading_rad, 0, 0, ahead_m}, Gear::forward}};
 }
 
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,

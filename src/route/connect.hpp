@@ -32,6 +32,10 @@ double stop_m(const Machine& machine, double speed_mps);
 /// steering while standing.
 double cost_m(const Terrain& terrain, const Path& path);
 
+/// Nothing, or straight on, where the goal lies there but for a tenth of what joints may miss: swings to mend
+/// that would be crumbs. It may lead outside.
+std::optional<Path> straight_on(const Pose& from, const Pose& to);
+
 /// One turn within the limits that stays inside: the shortest one forwards or, where it takes less time, one
 /// in reverse or with pivots; ground of the mainland counts as in cost_m(). Absent where none of at most
 /// `most_m`, and of a turn's length, stays inside. Empty where both are one place.

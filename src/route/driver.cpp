@@ -93,13 +93,14 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
 /// The cheapest single turn within the limits, with what follows: those that can be short are worked out
 /// first.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals, const Swings& swings,
-                                                  double most_m) const {
+                                                  double most_m, std::size_t most_goals) const {
   std::vector<std::pair<double, std::size_t>> ranked;
   const double radius_m = 1 / swings.limits().curvature_per_m;
   for (std::size_t i = 0; i < goals.size(); ++i)
     if (far_m(here_, goals[i].pose) <= longest_turn_m())  // further off the roads lead
       ranked.emplace_back(dubins_length_m(*here_, goals[i].pose, radius_m) + goals[i].rest_m, i);
   std::sort(ranked.begin(), ranked.end());
+  ranked.resize(std::min(ranked.size(), most_goals));
   std::optional<Approach> best;
   double best_m = most_m;
   for (const auto& [least_m, i] : ranked) {
@@ -126,7 +127,7 @@ std::optional<Driver::Approach> Driver::turn_led_into(const std::vector<Goal>& g
       beside.push_back({start_pose(lead), goals[i].rest_m + cost_m(terrain_, lead)});
       leads.emplace_back(i, std::move(lead));
     }
-  auto turn = turn_into(beside, terrain_.swings, longest_turn_m());
+  auto turn = turn_into(beside, terrain_.swings, longest_turn_m(), beside.size());
   if (!turn) return std::nullopt;
   const auto& [goal, lead] = leads[turn->goal];
   append(turn->way, lead);
@@ -134,19 +135,22 @@ std::optional<Driver::Approach> Driver::turn_led_into(const std::vector<Goal>& g
 }
 
 /// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane
-/// at the border swings out over it. Then by a lead; last, tight ones that are long.
+/// at the border swings out over it. First to the likeliest goals: where those are out of reach of a tight turn,
+/// so mostly are all others. Then by a lead; last, tight ones that are long.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
-  for (const double wider : {1.0, 2.0, 4.0, 8.0})
-    if (auto turn = turn_into(goals, swings(wider), longest_turn_m())) return turn;
+  constexpr std::size_t kLikeliest = 12;
+  for (const std::size_t most_goals : {kLikeliest, goals.size()})
+    for (const double wider : {1.0, 2.0, 4.0, 8.0})
+      if (auto turn = turn_into(goals, swings(wider), longest_turn_m(), most_goals)) return turn;
   if (auto turn = turn_led_into(goals)) return turn;
-  return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m());
+  return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m(), goals.size());
 }
 
 /// At the highest speed below turn speed at which a turn needs no more room than there is.
 std::optional<Driver::Approach> Driver::turn_slowly_into(const std::vector<Goal>& goals) {
   for (const double speed : turn_speeds(machine_)) {
     if (speed >= machine_.turn_speed_mps) continue;
-    auto turn = turn_into(goals, slower_swings(speed), longest_turn_m());
+    auto turn = turn_into(goals, slower_swings(speed), longest_turn_m(), goals.size());
     if (turn && turn->cost_m <= longest_turn_m()) return turn;
   }
   return std::nullopt;
@@ -158,9 +162,21 @@ std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const
   return Approach{arrival->goal, std::move(arrival->way), cost};
 }
 
+/// Where a goal lies straight ahead over ground that costs nothing more: no other way is shorter.
+std::optional<Driver::Approach> Driver::straight_into(const std::vector<Goal>& goals) const {
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    auto way = straight_on(*here_, goals[i].pose);
+    if (!way || goals[i].rest_m > 0 || !stays_inside(space_, terrain_.footprint, *way)) continue;
+    const double cost = cost_m(terrain_, *way);
+    if (cost <= length_m(*way) + kNoBetter_m) return Approach{i, std::move(*way), cost};
+  }
+  return std::nullopt;
+}
+
 /// The cheapest of: one turn; where that is a long one, the roads; where these lead a long way too, a turn at
 /// lower speed; where they lead far round or nowhere, a search.
 std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals) {
+  if (auto straight = straight_into(goals)) return straight;
   std::optional<Approach> best = turn_into(goals);
   const auto keep_cheaper = [&best](std::optional<Approach> other) {
     if (other && (!best || other->cost_m < best->cost_m - kNoBetter_m)) best = std::move(other);
@@ -192,7 +208,7 @@ void Driver::drive_by(const Task& task, const std::vector<Goal>& goals, Approach
 bool Driver::turn_to(const Task& task) {
   if (!here_ || task.ways.empty()) return false;
   const std::vector<Goal> goals = goals_of(task);
-  auto turn = turn_into(goals, terrain_.swings, longest_turn_m());
+  auto turn = turn_into(goals, terrain_.swings, longest_turn_m(), goals.size());
   if (!turn || turn->cost_m > longest_turn_m()) return false;
   drive_by(task, goals, std::move(*turn));
   return true;
