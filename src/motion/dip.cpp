@@ -32,9 +32,9 @@ double arcless_rad(double dip_per_m, const CurveLimits& limits) {
 /// Empty where so small a deflection does not reach the curvature of the dip.
 std::optional<Half> half_of(double dip_per_m, double deflection_rad, const CurveLimits& limits) {
   const double g = limits.sharpness_per_m2;
-  const double arc = (deflection_rad - arcless_rad(dip_per_m, limits)) / limits.curvature_per_m;
-  if (arc >= 0)
-    return Half{limits.curvature_per_m, limits.curvature_per_m / g, arc,
+  const double bent_rad = deflection_rad - arcless_rad(dip_per_m, limits);
+  if (bent_rad >= 0)
+    return Half{limits.curvature_per_m, limits.curvature_per_m / g, bent_rad / limits.curvature_per_m,
                 (limits.curvature_per_m - dip_per_m) / g};
   const double square = g * deflection_rad + dip_per_m * dip_per_m / 2;
   if (!(square >= 0)) return std::nullopt;
@@ -91,20 +91,20 @@ double dip_of(double apart_m, const Swings& swings) {
   const double k = swings.limits().curvature_per_m;
   const double g = swings.limits().sharpness_per_m2;
   const double goal = std::sqrt(apart_m / 2);
+  const double per_g = 1 / g;
   const double below = std::sqrt(g * k * apart_m);
-  const double bend = k * below / g;
-  const double skew = 7 * k * below * below * below / (g * g);
+  const double bend = k * below * per_g;
+  const double skew = 7 * bend * below * below * per_g;
   double dip = std::max(k - below * (1 + bend * bend / 24 - skew / 120), 0.0);
   for (int i = 0; i < 12; ++i) {
     const Rise rise = rise_to(dip, swings);
     const Point centre = turned(mirrored(rise.turn), swings.centre()) - rise.way;
     if (!(centre.x_m > 0)) break;
     const double root = std::sqrt(centre.x_m);
-    const double fall = (dip * centre.y_m - 1) / g;                      // dx/dq
-    const double bow = (centre.y_m - dip * dip * centre.x_m / g) / g;    // its own
-    const double newton = 2 * root * (root - goal) / fall;
-    const double halley = 1 - newton * (bow / fall - fall / (2 * centre.x_m)) / 2;
-    const double step = newton / halley;
+    const double fall = (dip * centre.y_m - 1) * per_g;                        // dx/dq
+    const double bow = (centre.y_m - dip * dip * centre.x_m * per_g) * per_g;  // its own
+    const double off = 2 * root * (root - goal);
+    const double step = off / (fall - off * (bow / fall - fall / (2 * centre.x_m)) / 2);
     dip = std::clamp(dip - step, 0.0, k);
     if (std::abs(step) < kSettled * k) break;  // the next one is its cube
   }
@@ -231,7 +231,8 @@ double length_m(const Dip& dip, const CurveLimits& limits) {
 
 void draw_dip(Drawn& drawn, const Dip& dip, const Swings& swings) {
   const auto first = half_of(dip.dip_per_m, dip.first_rad, swings.limits());
-  const auto second = half_of(dip.dip_per_m, dip.second_rad, swings.limits());
+  const auto second =
+      dip.second_rad == dip.first_rad ? first : half_of(dip.dip_per_m, dip.second_rad, swings.limits());
   if (!first || !second) return;
   const Rise low = rise_to(dip.dip_per_m, swings);
   const Rise peak = rise_to(first->peak_per_m, swings);
