@@ -14,8 +14,8 @@ using namespace selion;
 
 namespace {
 
-/// A round bay-and-cape field of 5 ha as somebody drives its border with a receiver: a corner each 0.2 m, every
-/// one off by up to `noise_m`.
+/// A round bay-and-cape field of 5 ha as somebody drives its border with a receiver: a corner each 0.2 m,
+/// every one off by up to `noise_m`.
 Field driven_border(double noise_m) {
   constexpr int kCorners = 4000;
   std::mt19937 random{5};

@@ -35,8 +35,8 @@ std::string worked(RingOrder order, std::optional<Point> here, std::optional<Poi
     const std::size_t next = order.nearest(here, last_near);
     order.done(next);
     here = start_pose(order.pass(next).path).at;
-    all += order.pass(next).id + std::to_string(order.pass(next).ring) +
-           (order.ends_group(next) ? ". " : " ");
+    all +=
+        order.pass(next).id + std::to_string(order.pass(next).ring) + (order.ends_group(next) ? ". " : " ");
   }
   return all;
 }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string_view>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <proj.h>
@@ -33,8 +33,8 @@ constexpr const char* kWgs84 = "+proj=longlat +datum=WGS84 +no_defs +type=crs";
 constexpr double kRadians = std::numbers::pi / 180;  // of a degree
 constexpr std::string_view kOnWgs84 = " +datum=WGS84";
 
-/// From radians, for a plane of the same datum: its own formulas, without the search for operations between two
-/// reference systems and without the choice of one at every point.
+/// From radians, for a plane of the same datum: its own formulas, without the search for operations between
+/// two reference systems and without the choice of one at every point.
 ProjObject plain_projection(const ProjContext& context, std::string plane) {
   plane.replace(plane.find(kOnWgs84), kOnWgs84.size(), " +ellps=WGS84");
   return ProjObject{proj_create(context.get(), plane.c_str())};

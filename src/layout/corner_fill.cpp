@@ -63,9 +63,9 @@ class Filler {
   };
 
   RingLegs ring_of(const HeadlandPass& pass) {
-    RingLegs ring{
-        pass.closed ? legs_of(pass.path, kLeastSide * ground_.machine.working_width_m) : std::vector<RingLeg>{},
-        bends_};
+    RingLegs ring{pass.closed ? legs_of(pass.path, kLeastSide * ground_.machine.working_width_m)
+                              : std::vector<RingLeg>{},
+                  bends_};
     if (ring.legs.empty()) swept_.add(pass.path, kOthers);
     for (const RingLeg& leg : ring.legs) {
       swept_.add({leg.side}, kOthers);

@@ -51,12 +51,10 @@ CornerShape CornerLine::tight_shape(double turn_rad, double room_m) const {
 /// Kept where nothing has changed but rounding.
 void CornerLine::make_shape(Vertex& v) const {
   constexpr double kSame = 1e-9;  // rad, m
-  if (std::abs(v.turn_rad - v.shaped_for_rad) < kSame && std::abs(v.room_m - v.shaped_in_m) < kSame)
-    return;
+  if (std::abs(v.turn_rad - v.shaped_for_rad) < kSame && std::abs(v.room_m - v.shaped_in_m) < kSame) return;
   v.shaped_for_rad = v.turn_rad;
   v.shaped_in_m = v.room_m;
-  v.shape =
-      std::abs(v.turn_rad) > kSharpest_rad ? CornerShape{tight_} : tight_shape(v.turn_rad, v.room_m);
+  v.shape = std::abs(v.turn_rad) > kSharpest_rad ? CornerShape{tight_} : tight_shape(v.turn_rad, v.room_m);
 }
 
 void CornerLine::measure(Index i) {

@@ -12,9 +12,11 @@ AxisExtent without_dead_ends(const Ground& ground, const Swath& way, AxisExtent 
   const auto axle_at = [&](double s_m) {
     return Pose{way.from + (s_m - ground.machine.tool_x_m) * axis, heading_rad(axis)};
   };
-  while (fit.high_m > fit.low_m && !has_way_in(ground.space, ground.footprint, ground.swings, axle_at(fit.low_m)))
+  while (fit.high_m > fit.low_m &&
+         !has_way_in(ground.space, ground.footprint, ground.swings, axle_at(fit.low_m)))
     fit.low_m += kStep_m;
-  while (fit.high_m > fit.low_m && !has_way_out(ground.space, ground.footprint, ground.swings, axle_at(fit.high_m)))
+  while (fit.high_m > fit.low_m &&
+         !has_way_out(ground.space, ground.footprint, ground.swings, axle_at(fit.high_m)))
     fit.high_m -= kStep_m;
   return fit;
 }

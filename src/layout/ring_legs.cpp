@@ -86,7 +86,8 @@ Path straight(const Pose& from, double by_m) {
   return {{line(from.at, on_from(from, by_m).at), by_m > 0 ? Gear::forward : Gear::reverse}};
 }
 
-std::vector<HeadlandPart> cut(const std::vector<RingLeg>& legs, const std::vector<std::optional<Fill>>& fills) {
+std::vector<HeadlandPart> cut(const std::vector<RingLeg>& legs,
+                              const std::vector<std::optional<Fill>>& fills) {
   const auto first =
       std::find_if(fills.begin(), fills.end(), [](const auto& fill) { return fill.has_value(); });
   const auto last = static_cast<std::size_t>(first - fills.begin());

@@ -41,6 +41,7 @@ Path straight(const Pose& from, double by_m);
 
 /// The ring cut at the bends that have a fill, into parts in the order in which they are driven.
 /// @pre a fill or none for each leg, at least one.
-std::vector<HeadlandPart> cut(const std::vector<RingLeg>& legs, const std::vector<std::optional<Fill>>& fills);
+std::vector<HeadlandPart> cut(const std::vector<RingLeg>& legs,
+                              const std::vector<std::optional<Fill>>& fills);
 
 }  // namespace selion

@@ -31,14 +31,12 @@ bool turns_off(const Pose& pose, const Swings& swings, Fits fits) {
 
 }  // namespace
 
-bool has_way_in(const FreeSpace& space, const Footprint& footprint, const Swings& swings,
-                const Pose& pose) {
+bool has_way_in(const FreeSpace& space, const Footprint& footprint, const Swings& swings, const Pose& pose) {
   return turns_off({pose.at, pose.heading_rad + std::numbers::pi}, swings,
                    [&](const Path& path) { return fits(space, footprint, turned_round(path)); });
 }
 
-bool has_way_out(const FreeSpace& space, const Footprint& footprint, const Swings& swings,
-                 const Pose& pose) {
+bool has_way_out(const FreeSpace& space, const Footprint& footprint, const Swings& swings, const Pose& pose) {
   return turns_off(pose, swings, [&](const Path& path) { return fits(space, footprint, path); });
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "walk.hpp"
+
 namespace selion {
 namespace {
 
@@ -13,23 +15,6 @@ constexpr double kGive_m =
 constexpr double kStray_m = 0.002;      // of a corner of the body from the chord between two checks
 constexpr double kLongestStep_m = 0.5;  // between two checks on a curve
 constexpr double kLineStep_m = 8;
-constexpr double kSweepStray_m = 0.003;  // of the tool's ends from the chords of the area swept
-
-bool straight(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
-
-using Corners = std::array<Point, 4>;
-
-/// A pose with its direction worked out.
-struct Stand {
-  Stand() = default;
-  explicit Stand(const Pose& pose) : at{pose.at}, ahead{unit(pose.heading_rad)} {}
-  Stand(Point place, Point direction) : at{place}, ahead{direction} {}
-  [[nodiscard]] Point operator()(double x_m, double y_m) const {
-    return at + x_m * ahead + y_m * left_of(ahead);
-  }
-  Point at;
-  Point ahead;
-};
 
 /// From x = rear to x = front, `half` to either side.
 Corners rectangle(const Stand& stand, double rear_m, double front_m, double half_m) {
@@ -48,18 +33,6 @@ bool clear_on_line(const FreeSpace& space, const Footprint& f, const Stand& stan
 
 bool clear_at(const FreeSpace& space, const Footprint& f, const Stand& stand) {
   return space.far_from_border(stand.at) || clear_on_line(space, f, stand, 0);
-}
-
-/// What a line across the vehicle at x, `half` to either side, sweeps between two stands close together; its
-/// inner end may go back, then the corners cross over.
-Corners swept_across(const Stand& a, const Stand& b, double x_m, double half_m) {
-  return {a(x_m, -half_m), b(x_m, -half_m), b(x_m, half_m), a(x_m, half_m)};
-}
-
-bool turns_left(const Corners& c) {
-  for (std::size_t i = 0; i < c.size(); ++i)
-    if (cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[(i + 1) % 4]) <= 0) return false;
-  return true;
 }
 
 bool clear_across(const FreeSpace& space, const Stand& a, const Stand& b, double x_m, double half_m) {
@@ -97,7 +70,8 @@ bool clear_between(const FreeSpace& space, const Footprint& f, const Stand& a, c
          clear_across(space, a, b, -f.rear_m + kGive_m, half_body);
 }
 
-/// Several stands close together, one step after the other: what is far from the border is told of all at once.
+/// Several stands close together, one step after the other: what is far from the border is told of all at
+/// once.
 class Steps {
  public:
   static constexpr std::size_t kMost = 4;
@@ -163,51 +137,10 @@ bool clear_along_line(const FreeSpace& space, const Footprint& f, const Stretch&
   return true;
 }
 
-Point times(Point a, Point b) { return {a.x_m * b.x_m - a.y_m * b.y_m, a.x_m * b.y_m + a.y_m * b.x_m}; }
-
-/// Stands along a stretch, step by step: by Simpson's rule from one to the next, which over a step of at most
-/// half a metre errs by less than a micrometre. From half step to half step the heading grows by what itself
-/// grows evenly, so directions are products instead of sines and cosines.
-class Walk {
- public:
-  Walk(const Stretch& stretch, int steps)
-      : gear_{static_cast<double>(stretch.gear)},
-        step_m_{stretch.curve.length_m / steps},
-        at_{stretch.curve.start},
-        along_{unit(stretch.curve.heading_rad)} {
-    const double half_m = step_m_ / 2;
-    const double bend = stretch.curve.sharpness_per_m2 * half_m * half_m;
-    turn_ = unit(stretch.curve.curvature_per_m * half_m + bend / 2);
-    more_ = unit(bend);
-  }
-
-  [[nodiscard]] Stand here() const { return {at_, gear_ * along_}; }
-
-  void advance() {
-    const Point middle = next(along_);
-    const Point end = next(middle);
-    at_ = at_ + (step_m_ / 6) * (along_ + 4.0 * middle + end);
-    along_ = end;
-  }
-
- private:
-  Point next(Point direction) {
-    const Point ahead = times(direction, turn_);
-    turn_ = times(turn_, more_);
-    return ahead;
-  }
-
-  double gear_;
-  double step_m_;
-  Point at_;
-  Point along_;
-  Point turn_;  ///< by the next half step
-  Point more_;  ///< what that turn grows by
-};
-
 /// From `first` over `count` more stands, the i-th of them `stand(i)`, i from 1.
 template <class StandAt>
-bool clear_by_steps(const FreeSpace& space, const Footprint& f, const Stand& first, int count, StandAt stand) {
+bool clear_by_steps(const FreeSpace& space, const Footprint& f, const Stand& first, int count,
+                    StandAt stand) {
   Steps steps{f, first};
   for (int i = 1; i <= count; ++i) {
     steps.add(stand(i));
@@ -273,82 +206,6 @@ bool fits(const FreeSpace& space, const Footprint& footprint, const Pose& pose) 
 
 bool fits(const FreeSpace& space, const Footprint& footprint, const Path& path) {
   return path.empty() || (space.holds(path.front().curve.start) && stays_inside(space, footprint, path));
-}
-
-namespace {
-
-/// So short that neither end of the tool strays from its chord by more than kSweepStray_m.
-double sweep_step_m(const Footprint& f, const Curve& curve) {
-  const double k = std::max(std::abs(curve.curvature_per_m),
-                            std::abs(curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m));
-  return std::sqrt(8 * kSweepStray_m / (k * (1 + k * std::hypot(f.tool_x_m, f.half_tool_m))));
-}
-
-/// A strip while it grows: its right edge forwards, its left edge to be taken backwards.
-class Strip {
- public:
-  explicit Strip(std::vector<Ring>& into) : into_{into} {}
-
-  void add(const Stand& from, const Stand& to, const Footprint& f) {
-    const Corners corners = swept_across(from, to, f.tool_x_m, f.half_tool_m);
-    if (!turns_left(corners)) {  // an end goes back: what lies between is the hull of both lines
-      end();
-      into_.push_back(convex_hull({corners.begin(), corners.end()}));
-      return;
-    }
-    if (!right_.empty() && distance_m(right_.back(), corners[0]) > kJoint_m)
-      end();  // turned about on the spot
-    if (right_.empty()) {
-      right_.push_back(corners[0]);
-      left_.push_back(corners[3]);
-      first_ = from.ahead;
-    }
-    right_.push_back(corners[1]);
-    left_.push_back(corners[2]);
-    if (dot(first_, to.ahead) < kMostTurned) end();
-  }
-
-  void end() {
-    if (right_.empty()) return;
-    right_.insert(right_.end(), left_.rbegin(), left_.rend());
-    into_.push_back(std::move(right_));
-    right_.clear();
-    left_.clear();
-  }
-
- private:
-  static constexpr double kJoint_m = 1e-3;
-  static constexpr double kMostTurned =
-      -0.5;  // cosine of 120 degrees: turned less, a strip cannot meet itself
-
-  std::vector<Ring>& into_;
-  Ring right_;
-  Ring left_;
-  Point first_;
-};
-
-}  // namespace
-
-std::vector<Ring> swept_by_tool(const Footprint& f, const Path& path) {
-  std::vector<Ring> swept;
-  Strip strip{swept};
-  for (const Stretch& stretch : path) {
-    if (is_pivot(stretch)) continue;  // the tool is up
-    const double length = stretch.curve.length_m;
-    const int steps = straight(stretch.curve)
-                          ? 1
-                          : std::max(1, static_cast<int>(std::ceil(length / sweep_step_m(f, stretch.curve))));
-    Walk walk{stretch, steps};
-    Stand before = walk.here();
-    for (int i = 1; i <= steps; ++i) {
-      walk.advance();
-      const Stand after = walk.here();
-      strip.add(before, after, f);
-      before = after;
-    }
-  }
-  strip.end();
-  return swept;
 }
 
 }  // namespace selion

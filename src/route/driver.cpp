@@ -7,15 +7,9 @@
 #include <utility>
 
 #include "retreats.hpp"
-#include "selion/motion/dubins.hpp"
-#include "selion/motion/leads.hpp"
-#include "selion/motion/timed_turn.hpp"
 
 namespace selion {
 namespace {
-
-constexpr double kNoBetter_m = 1e-6;
-constexpr double kFarRound = 3;  // a way this many turns long is worth a search for a shorter one
 
 /// Without stretches that are nothing but rounding.
 Path without_crumbs(Path path) {
@@ -46,21 +40,6 @@ Roads& Driver::roads() {
   return *roads_;
 }
 
-/// The same turns larger: built when first asked for.
-const Swings& Driver::swings(double wider) {
-  if (wider == 1) return terrain_.swings;
-  const auto known = wider_.find(wider);
-  if (known != wider_.end()) return known->second;
-  const CurveLimits& limits = terrain_.limits;
-  const CurveLimits gentle{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)};
-  return wider_.emplace(wider, Swings{gentle}).first->second;
-}
-
-/// The same turns with sharper clothoids.
-const Swings& Driver::slower_swings(double speed_mps) {
-  return slower_.try_emplace(speed_mps, limits_at(machine_, speed_mps)).first->second;
-}
-
 /// Beyond this a way is a transfer.
 double Driver::longest_turn_m() const {
   return 14 / terrain_.limits.curvature_per_m + 6 * terrain_.footprint.half_tool_m;
@@ -88,108 +67,6 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
   if (Path clean = without_crumbs(way); !clean.empty()) driven_.push_back({kind, "", std::move(clean)});
   driven_.push_back({task.kind, task.id, without_crumbs(work)});
   here_ = end_pose(work);
-}
-
-/// The cheapest single turn within the limits, with what follows: those that can be short are worked out
-/// first.
-std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals, const Swings& swings,
-                                                  double most_m, std::size_t most_goals) const {
-  std::vector<std::pair<double, std::size_t>> ranked;
-  const double radius_m = 1 / swings.limits().curvature_per_m;
-  for (std::size_t i = 0; i < goals.size(); ++i)
-    if (far_m(here_, goals[i].pose) <= longest_turn_m())  // further off the roads lead
-      ranked.emplace_back(dubins_length_m(*here_, goals[i].pose, radius_m) + goals[i].rest_m, i);
-  std::sort(ranked.begin(), ranked.end());
-  ranked.resize(std::min(ranked.size(), most_goals));
-  std::optional<Approach> best;
-  double best_m = most_m;
-  for (const auto& [least_m, i] : ranked) {
-    if (best && least_m >= best_m) break;
-    auto turn =
-        direct_turn(terrain_, swings, *here_, goals[i].pose, best ? best_m - goals[i].rest_m : best_m);
-    if (!turn) continue;
-    const double cost = cost_m(terrain_, *turn);
-    if (best && cost + goals[i].rest_m >= best_m - kNoBetter_m) continue;
-    best_m = cost + goals[i].rest_m;
-    best = Approach{i, std::move(*turn), cost};
-  }
-  return best;
-}
-
-/// By a tight turn to a gentle lead onto one of the nearest goals.
-std::optional<Driver::Approach> Driver::turn_led_into(const std::vector<Goal>& goals) const {
-  constexpr std::size_t kMostLed = 16;
-  std::vector<Goal> beside;
-  std::vector<std::pair<std::size_t, Path>> leads;
-  for (std::size_t i = 0; i < std::min(kMostLed, goals.size()); ++i)
-    for (Path& lead : leads_onto(goals[i].pose, terrain_.limits)) {
-      if (!fits(space_, terrain_.footprint, lead)) continue;
-      beside.push_back({start_pose(lead), goals[i].rest_m + cost_m(terrain_, lead)});
-      leads.emplace_back(i, std::move(lead));
-    }
-  auto turn = turn_into(beside, terrain_.swings, longest_turn_m(), beside.size());
-  if (!turn) return std::nullopt;
-  const auto& [goal, lead] = leads[turn->goal];
-  append(turn->way, lead);
-  return Approach{goal, std::move(turn->way), turn->cost_m + cost_m(terrain_, lead)};
-}
-
-/// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane
-/// at the border swings out over it. First to the likeliest goals: where those are out of reach of a tight turn,
-/// so mostly are all others. Then by a lead; last, tight ones that are long.
-std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
-  constexpr std::size_t kLikeliest = 12;
-  for (const std::size_t most_goals : {kLikeliest, goals.size()})
-    for (const double wider : {1.0, 2.0, 4.0, 8.0})
-      if (auto turn = turn_into(goals, swings(wider), longest_turn_m(), most_goals)) return turn;
-  if (auto turn = turn_led_into(goals)) return turn;
-  return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m(), goals.size());
-}
-
-/// At the highest speed below turn speed at which a turn needs no more room than there is.
-std::optional<Driver::Approach> Driver::turn_slowly_into(const std::vector<Goal>& goals) {
-  for (const double speed : turn_speeds(machine_)) {
-    if (speed >= machine_.turn_speed_mps) continue;
-    auto turn = turn_into(goals, slower_swings(speed), longest_turn_m(), goals.size());
-    if (turn && turn->cost_m <= longest_turn_m()) return turn;
-  }
-  return std::nullopt;
-}
-
-std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const {
-  if (!arrival) return std::nullopt;
-  const double cost = cost_m(terrain_, arrival->way);
-  return Approach{arrival->goal, std::move(arrival->way), cost};
-}
-
-/// Where a goal lies straight ahead over ground that costs nothing more: no other way is shorter.
-std::optional<Driver::Approach> Driver::straight_into(const std::vector<Goal>& goals) const {
-  for (std::size_t i = 0; i < goals.size(); ++i) {
-    auto way = straight_on(*here_, goals[i].pose);
-    if (!way || goals[i].rest_m > 0 || !stays_inside(space_, terrain_.footprint, *way)) continue;
-    const double cost = cost_m(terrain_, *way);
-    if (cost <= length_m(*way) + kNoBetter_m) return Approach{i, std::move(*way), cost};
-  }
-  return std::nullopt;
-}
-
-/// The cheapest of: one turn; where that is a long one, the roads; where these lead a long way too, a turn at
-/// lower speed; where they lead far round or nowhere, a search.
-std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals) {
-  if (auto straight = straight_into(goals)) return straight;
-  std::optional<Approach> best = turn_into(goals);
-  const auto keep_cheaper = [&best](std::optional<Approach> other) {
-    if (other && (!best || other->cost_m < best->cost_m - kNoBetter_m)) best = std::move(other);
-  };
-  if (best && best->cost_m <= longest_turn_m()) return best;
-  std::vector<Pose> poses(goals.size());
-  std::transform(goals.begin(), goals.end(), poses.begin(), [](const Goal& goal) { return goal.pose; });
-  keep_cheaper(by(roads().way(*here_, poses, ways_back())));
-  const bool close = far_m(here_, poses.front()) < longest_turn_m();
-  if (close && (!best || best->cost_m > longest_turn_m())) keep_cheaper(turn_slowly_into(goals));
-  if (best && close && best->cost_m > kFarRound * longest_turn_m())
-    if (auto found = searched(terrain_, {*here_}, poses)) keep_cheaper(by(std::move(found->arrival)));
-  return best;
 }
 
 std::vector<Driver::Goal> Driver::goals_of(const Task& task) const {

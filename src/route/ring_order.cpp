@@ -11,7 +11,7 @@
 namespace selion {
 namespace {
 
-constexpr double kApart = 4;    // widths between the places kept of a pass
+constexpr double kApart = 4;     // widths between the places kept of a pass
 constexpr double kBeside = 1.5;  // widths between passes side by side
 
 std::vector<Point> places_along(const Path& path, double step_m) {

@@ -16,7 +16,7 @@ constexpr std::size_t kMostVisited = 100000;
 constexpr double kGreed = 1.3;             // weight of the distance to go: within this factor of the best
 constexpr std::size_t kBackedInto = 4;     // goals: of more, some can be driven into forwards
 constexpr double kFarthestBeyond_m = 150;  // of a straight run backwards into a pose
-constexpr double kFar = 8;          // reaches: further off, dearer ground counts
+constexpr double kFar = 8;                 // reaches: further off, dearer ground counts
 constexpr double kGuideCells = 150;  // a side: fine enough to tell headland from mainland on a large field
 constexpr std::size_t kNoTrack = std::numeric_limits<std::size_t>::max();
 
@@ -34,7 +34,8 @@ double guess_m(const Pose& from, const Pose& to, double radius_m) {
 }
 
 auto place_of(const std::vector<std::pair<double, std::size_t>>& ranked, std::size_t node) {
-  return std::find_if(ranked.begin(), ranked.end(), [node](const auto& entry) { return entry.second == node; });
+  return std::find_if(ranked.begin(), ranked.end(),
+                      [node](const auto& entry) { return entry.second == node; });
 }
 
 }  // namespace
@@ -71,8 +72,8 @@ std::vector<std::size_t> Roads::near(Point p) const {
   return found;
 }
 
-/// Those near `at` and not on `but_track` of which guess(node) is least, but few of any one line: else the many
-/// swath ends crowd out the one headland pass beside them. No guess is below the distance.
+/// Those near `at` and not on `but_track` of which guess(node) is least, but few of any one line: else the
+/// many swath ends crowd out the one headland pass beside them. No guess is below the distance.
 template <class Guess>
 std::vector<std::size_t> Roads::likely(Point at, std::size_t but_track, Guess guess) const {
   constexpr std::size_t kAtOnce = 32;
@@ -85,8 +86,7 @@ std::vector<std::size_t> Roads::likely(Point at, std::size_t but_track, Guess gu
     const std::size_t end = std::min(i + kAtOnce, by_distance.size());
     const auto first = by_distance.begin() + static_cast<std::ptrdiff_t>(i);
     std::partial_sort(first, first + static_cast<std::ptrdiff_t>(end - i), by_distance.end());
-    for (; i < end; ++i)
-      ranked.emplace_back(guess(pose(by_distance[i].second)), by_distance[i].second);
+    for (; i < end; ++i) ranked.emplace_back(guess(pose(by_distance[i].second)), by_distance[i].second);
     std::sort(ranked.begin(), ranked.end());
     best = foremost(ranked);
     const auto last = best.size() < kTurnsTried ? ranked.end() : place_of(ranked, best.back());

@@ -20,10 +20,9 @@ void move_to_end(std::vector<Task>& tasks, std::vector<Task>& from) {
 }
 
 bool either_way_round(const Layout& layout) {
-  return std::all_of(layout.headland_passes.begin(), layout.headland_passes.end(),
-                     [](const HeadlandPass& pass) {
-                       return (!pass.closed || pass.either_way) && pass.parts.empty();
-                     });
+  return std::all_of(
+      layout.headland_passes.begin(), layout.headland_passes.end(),
+      [](const HeadlandPass& pass) { return (!pass.closed || pass.either_way) && pass.parts.empty(); });
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ class Work {
   void swaths(const Progress& progress);
   /// Pockets, and what was put off, nearest first.
   void pockets();
-  /// Ring by ring, around one obstacle after the other, from the border in, to end near the first swath, or out
-  /// to the border, to end near the gate, if there is one.
+  /// Ring by ring, around one obstacle after the other, from the border in, to end near the first swath, or
+  /// out to the border, to end near the gate, if there is one.
   void headland_inwards();
   void headland_outwards(const std::optional<Point>& gate);
   /// Once more what was put off.

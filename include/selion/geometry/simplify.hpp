@@ -12,7 +12,8 @@ Ring simplified(const Ring& ring, double tolerance_m);
 /// Each ring for itself.
 Polygon simplified(const Polygon& area, double tolerance_m);
 
-/// An area whose corners lie further apart, and how far its border may stray from the one that it was made of.
+/// An area whose corners lie further apart, and how far its border may stray from the one that it was made
+/// of.
 struct Evened {
   Polygon area;
   double stray_m = 0;

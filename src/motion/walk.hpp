@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "selion/motion/path.hpp"
+
+namespace selion {
+
+inline bool straight(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
+
+using Corners = std::array<Point, 4>;
+
+/// A pose with its direction worked out.
+struct Stand {
+  Stand() = default;
+  explicit Stand(const Pose& pose) : at{pose.at}, ahead{unit(pose.heading_rad)} {}
+  Stand(Point place, Point direction) : at{place}, ahead{direction} {}
+  [[nodiscard]] Point operator()(double x_m, double y_m) const {
+    return at + x_m * ahead + y_m * left_of(ahead);
+  }
+  Point at;
+  Point ahead;
+};
+
+/// What a line across the vehicle at x, `half` to either side, sweeps between two stands close together; its
+/// inner end may go back, then the corners cross over.
+inline Corners swept_across(const Stand& a, const Stand& b, double x_m, double half_m) {
+  return {a(x_m, -half_m), b(x_m, -half_m), b(x_m, half_m), a(x_m, half_m)};
+}
+
+inline bool turns_left(const Corners& c) {
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[(i + 1) % 4]) <= 0) return false;
+  return true;
+}
+
+inline Point times(Point a, Point b) {
+  return {a.x_m * b.x_m - a.y_m * b.y_m, a.x_m * b.y_m + a.y_m * b.x_m};
+}
+
+/// Stands along a stretch, step by step: by Simpson's rule from one to the next, which over a step of at most
+/// half a metre errs by less than a micrometre. From half step to half step the heading grows by what itself
+/// grows evenly, so directions are products instead of sines and cosines.
+class Walk {
+ public:
+  Walk(const Stretch& stretch, int steps)
+      : gear_{static_cast<double>(stretch.gear)},
+        step_m_{stretch.curve.length_m / steps},
+        at_{stretch.curve.start},
+        along_{unit(stretch.curve.heading_rad)} {
+    const double half_m = step_m_ / 2;
+    const double bend = stretch.curve.sharpness_per_m2 * half_m * half_m;
+    turn_ = unit(stretch.curve.curvature_per_m * half_m + bend / 2);
+    more_ = unit(bend);
+  }
+
+  [[nodiscard]] Stand here() const { return {at_, gear_ * along_}; }
+
+  void advance() {
+    const Point middle = next(along_);
+    const Point end = next(middle);
+    at_ = at_ + (step_m_ / 6) * (along_ + 4.0 * middle + end);
+    along_ = end;
+  }
+
+ private:
+  Point next(Point direction) {
+    const Point ahead = times(direction, turn_);
+    turn_ = times(turn_, more_);
+    return ahead;
+  }
+
+  double gear_;
+  double step_m_;
+  Point at_;
+  Point along_;
+  Point turn_;  ///< by the next half step
+  Point more_;  ///< what that turn grows by
+};
+
+}  // namespace selion
