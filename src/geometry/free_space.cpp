@@ -53,10 +53,10 @@ FreeSpace::FreeSpace(const Polygon& area, double reach_m) : area_{area}, index_{
   columns_ = static_cast<int>(size.x_m / cell_m_) + 1;
   rows_ = static_cast<int>(size.y_m / cell_m_) + 1;
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-  std::vector<std::vector<std::uint32_t>> crossing(cells);
   near_.resize(cells, 0);
-  for (std::uint32_t e = 0; e < edges_.size(); ++e) add(e, reach_m, crossing);
-  pack(crossing);
+  std::vector<Crossing> crossings;
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) add(e, reach_m, crossings);
+  pack(std::move(crossings));
 }
 
 /// Beyond the grid the nearest cell's.
@@ -83,7 +83,7 @@ void FreeSpace::mark_near(const Cells& cells) {
 }
 
 /// Walks along the edge in steps of a cell, so that a long slanted edge does not fill its whole box.
-void FreeSpace::add(std::uint32_t edge, double reach_m, std::vector<std::vector<std::uint32_t>>& crossing) {
+void FreeSpace::add(std::uint32_t edge, double reach_m, std::vector<Crossing>& crossings) {
   const auto [a, b] = edges_[edge];
   const int steps = std::max(1, static_cast<int>(std::ceil(distance_m(a, b) / cell_m_)));
   for (int i = 0; i < steps; ++i) {
@@ -93,20 +93,20 @@ void FreeSpace::add(std::uint32_t edge, double reach_m, std::vector<std::vector<
     mark_near(cells_of(grown(box, reach_m)));
     const Cells cells = cells_of(box);
     for (int row = cells.bottom; row <= cells.top; ++row)
-      for (int column = cells.left; column <= cells.right; ++column) {
-        auto& list = crossing[index(column, row)];
-        if (list.empty() || list.back() != edge) list.push_back(edge);
-      }
+      for (int column = cells.left; column <= cells.right; ++column)
+        crossings.emplace_back(index(column, row), edge);
   }
 }
 
-void FreeSpace::pack(const std::vector<std::vector<std::uint32_t>>& crossing) {
-  first_.reserve(crossing.size() + 1);
-  for (const auto& list : crossing) {
-    first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
-    crossing_.insert(crossing_.end(), list.begin(), list.end());
+void FreeSpace::pack(std::vector<Crossing> crossings) {
+  std::sort(crossings.begin(), crossings.end());
+  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  first_.reserve(near_.size() + 1);
+  for (const auto& [cell, edge] : crossings) {
+    first_.resize(cell + 1, static_cast<std::uint32_t>(crossing_.size()));
+    crossing_.push_back(edge);
   }
-  first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
+  first_.resize(near_.size() + 1, static_cast<std::uint32_t>(crossing_.size()));
 }
 
 bool FreeSpace::empty(const Box& box) const {

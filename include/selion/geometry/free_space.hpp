@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "selion/geometry/area_index.hpp"
@@ -39,8 +40,9 @@ class FreeSpace {
   [[nodiscard]] Cells cells_of(const Box& box) const;
   [[nodiscard]] std::size_t index(int column, int row) const;
   void mark_near(const Cells& cells);
-  void add(std::uint32_t edge, double reach_m, std::vector<std::vector<std::uint32_t>>& crossing);
-  void pack(const std::vector<std::vector<std::uint32_t>>& crossing);
+  using Crossing = std::pair<std::size_t, std::uint32_t>;  ///< cell, edge
+  void add(std::uint32_t edge, double reach_m, std::vector<Crossing>& crossings);
+  void pack(std::vector<Crossing> crossings);
 
   Polygon area_;
   AreaIndex index_;
