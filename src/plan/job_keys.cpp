@@ -174,7 +174,7 @@ std::vector<JobKey> ground_keys() {
   using L = Job::LayoutKeys;
   return {
       key<JobType::number, &Job::field, &F::edge_margin_m>(
-          {"field", "edge_margin_m", "--edge-margin", "m", "kept from the border"}),
+          {"field", "edge_margin_m", "--edge-margin", "m", "between the border and the outermost lane"}),
       key<JobType::number, &Job::field, &F::obstacle_clearance_m>(
           {"field", "obstacle_clearance_m", "--obstacle-clearance", "m", "kept from holes and obstacles"}),
       key<JobType::number, &Job::field, &F::water_margin_m>(

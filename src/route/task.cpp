@@ -94,6 +94,30 @@ bool passable(const Terrain& terrain, const Path& way) {
           has_way_out(terrain.space, terrain.footprint, terrain.swings, end_pose(way)));
 }
 
+bool has_way_in(const Terrain& terrain, const Pose& pose) {
+  return has_way_in(terrain.space, terrain.footprint, terrain.swings, pose);
+}
+
+bool has_way_out(const Terrain& terrain, const Pose& pose) {
+  return has_way_out(terrain.space, terrain.footprint, terrain.swings, pose);
+}
+
+/// From the first straight place into which the machine comes to the last out of which it goes on: the rest lies
+/// in corners where it would be stuck. Empty where there are no such places.
+Path without_dead_ends(const Terrain& terrain, const Path& way) {
+  if (terrain.may_reverse || way.empty() || passable(terrain, way)) return way;
+  const auto& stations = track_of(way, false).stations;
+  const auto first = std::find_if(stations.begin(), stations.end(), [&](const Track::Station& station) {
+    return has_way_in(terrain, station.pose);
+  });
+  const auto last = std::find_if(stations.rbegin(), stations.rend(), [&](const Track::Station& station) {
+    return has_way_out(terrain, station.pose);
+  });
+  if (first == stations.end() || last == stations.rend() || last->s_m <= first->s_m) return {};
+  const double from_m = has_way_in(terrain, start_pose(way)) ? 0 : first->s_m;
+  return part_of(way, from_m, last->s_m);
+}
+
 }  // namespace
 
 Sense opposite(Sense sense) { return sense == Sense::forth ? Sense::back : Sense::forth; }
@@ -125,8 +149,11 @@ Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swa
 
 Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path) {
   Task task{PieceKind::headland_pass, std::move(id), {}, {}};
-  for (const Path& way : {path, tool_turned_round(path, machine.tool_x_m)})
-    if (fits(terrain.space, terrain.footprint, way) && passable(terrain, way)) task.add_line(way);
+  for (const Path& whole : {path, tool_turned_round(path, machine.tool_x_m)}) {
+    if (!fits(terrain.space, terrain.footprint, whole)) continue;
+    if (Path way = without_dead_ends(terrain, whole); length_m(way) >= machine.working_width_m)
+      task.add_line(std::move(way));
+  }
   return task;
 }
 
