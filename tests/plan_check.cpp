@@ -141,10 +141,13 @@ class Check {
 
   void limits(const TrajectoryRecord& t) {
     const double most = max_curvature_per_m(machine_) * (1 + 1e-6);
+    const double most_down =
+        machine_.min_work_radius_m ? std::min(most, (1 + 1e-6) / *machine_.min_work_radius_m) : most;
     for (std::size_t i = 0; i < t.pieces.size(); ++i) {
       const PieceRecord& p = t.pieces[i];
-      if (std::abs(p.curvature_per_m) > most || std::abs(state_of(p, p.length_m).curvature_per_m) > most)
-        say(place(t, i) + "too tight");
+      const double tightest =
+          std::max(std::abs(p.curvature_per_m), std::abs(state_of(p, p.length_m).curvature_per_m));
+      if (tightest > (p.tool == 1 ? most_down : most)) say(place(t, i) + "too tight");
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "test.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -56,4 +58,28 @@ TEST_CASE("every plan of the paper's fields keeps every limit on its whole way",
     CHECK(samples.back().t_s == Approx(trajectory.duration_s).epsilon(1e-9));  // the same drive
     check_within(limit_use(legs, samples, job.machine));
   }
+}
+
+TEST_CASE("nothing is worked on a curve tighter than the tool bears", "[plan][limits]") {
+  const auto name = GENERATE("f2", "f5");
+  const auto corners = GENERATE("round", "fill");
+  CAPTURE(name, corners);
+  const Job job = job_of(settings_of_toml(
+      std::string{"[machine]\npreset = \"p3\"\nworking_width_m = 4\nmax_steer_deg = 18\nmin_work_radius_m = "
+                  "9\n[headland]\ncorners = \""} +
+          corners + "\"\n",
+      "test"));
+
+  const auto planned = plan(paper_field(name), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});
+  double tightest_down = 0;
+  double tightest_up = 0;
+  for (const TrajectoryRecord& trajectory : planned->file.trajectories)
+    for (const PieceRecord& p : trajectory.pieces)
+      (p.tool == 1 ? tightest_down : tightest_up) =
+          std::max(p.tool == 1 ? tightest_down : tightest_up, std::abs(p.curvature_per_m));
+  CHECK(tightest_down == Approx(1.0 / 9).epsilon(0.02));  // the limit is used
+  CHECK(tightest_up > 0.2);
 }

@@ -102,10 +102,9 @@ bool has_way_out(const Terrain& terrain, const Pose& pose) {
   return has_way_out(terrain.space, terrain.footprint, terrain.swings, pose);
 }
 
-/// From the first straight place into which the machine comes to the last out of which it goes on: the rest lies
-/// in corners where it would be stuck. Empty where there are no such places.
+/// From the first straight place into which the machine comes to the last out of which it goes on: the rest
+/// lies in corners where it would be stuck. Empty where there are no such places.
 Path without_dead_ends(const Terrain& terrain, const Path& way) {
-  if (terrain.may_reverse || way.empty() || passable(terrain, way)) return way;
   const auto& stations = track_of(way, false).stations;
   const auto first = std::find_if(stations.begin(), stations.end(), [&](const Track::Station& station) {
     return has_way_in(terrain, station.pose);
@@ -149,11 +148,14 @@ Task swath_task(const Terrain& terrain, const Machine& machine, const Swath& swa
 
 Task open_pass_task(const Terrain& terrain, const Machine& machine, std::string id, const Path& path) {
   Task task{PieceKind::headland_pass, std::move(id), {}, {}};
-  for (const Path& whole : {path, tool_turned_round(path, machine.tool_x_m)}) {
-    if (!fits(terrain.space, terrain.footprint, whole)) continue;
-    if (Path way = without_dead_ends(terrain, whole); length_m(way) >= machine.working_width_m)
-      task.add_line(std::move(way));
-  }
+  std::vector<Path> ways{path, tool_turned_round(path, machine.tool_x_m)};
+  std::erase_if(ways, [&](const Path& way) { return !fits(terrain.space, terrain.footprint, way); });
+  for (const Path& way : ways)
+    if (passable(terrain, way)) task.add_line(way);
+  if (!task.lines.empty()) return task;
+  for (const Path& way : ways)
+    if (Path part = without_dead_ends(terrain, way); length_m(part) >= machine.working_width_m)
+      task.add_line(std::move(part));
   return task;
 }
 

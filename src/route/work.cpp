@@ -25,6 +25,13 @@ bool either_way_round(const Layout& layout) {
       [](const HeadlandPass& pass) { return (!pass.closed || pass.either_way) && pass.parts.empty(); });
 }
 
+double worked_m(const std::vector<RoutePiece>& pieces) {
+  double sum = 0;
+  for (const RoutePiece& piece : pieces)
+    if (!piece.ref.empty()) sum += length_m(piece.path);
+  return sum;
+}
+
 }  // namespace
 
 /// Where one ring can only be driven as laid, so are the others: from ring to ring the machine then changes
@@ -187,16 +194,18 @@ bool Work::work_parts(const HeadlandPass& pass) {
 }
 
 /// A machine that only drives forwards may be stuck where it is: then what it worked last was a dead end, and
-/// is given up.
+/// is given up for something longer.
 bool Work::drive_on_to(const Task& task) {
   constexpr int kMostTakenBack = 3;
   if (driver_.terrain().may_reverse || !driver_.here()) return false;
+  double longest_m = 0;
+  for (const Path& line : task.lines) longest_m = std::max(longest_m, length_m(line));
   std::vector<RoutePiece> taken;
   for (int i = 0; i < kMostTakenBack; ++i) {
     std::vector<RoutePiece> last = driver_.take_back();
     if (last.empty()) break;
     taken.insert(taken.begin(), std::make_move_iterator(last.begin()), std::make_move_iterator(last.end()));
-    if (!driver_.drive_to(task)) continue;
+    if (worked_m(taken) > longest_m || !driver_.drive_to(task)) continue;
     for (const RoutePiece& piece : taken)
       if (!piece.ref.empty()) dead_ends_.push_back(piece.ref);
     return true;
