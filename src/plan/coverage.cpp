@@ -2,8 +2,8 @@
 #include "coverage.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <set>
+#include <utility>
 
 #include "selion/motion/footprint.hpp"
 

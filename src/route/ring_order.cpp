@@ -73,7 +73,7 @@ bool RingOrder::ready(const Entry& entry) const {
                                        [this](std::size_t i) { return entries_[i].is_done; });
 }
 
-double RingOrder::far_m(const Entry& entry, Point p) const {
+double RingOrder::far_m(const Entry& entry, Point p) {
   double least = std::numeric_limits<double>::infinity();
   for (const Point place : entry.places) least = std::min(least, distance_m(place, p));
   return least;

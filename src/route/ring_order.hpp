@@ -39,7 +39,7 @@ class RingOrder {
   };
   void find_neighbours(double width_m, int step);
   [[nodiscard]] bool ready(const Entry& entry) const;
-  [[nodiscard]] double far_m(const Entry& entry, Point p) const;
+  [[nodiscard]] static double far_m(const Entry& entry, Point p);
 
   std::vector<Entry> entries_;
 };
