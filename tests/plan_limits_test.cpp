@@ -83,3 +83,19 @@ TEST_CASE("nothing is worked on a curve tighter than the tool bears", "[plan][li
   CHECK(tightest_down == Approx(1.0 / 9).epsilon(0.02));  // the limit is used
   CHECK(tightest_up > 0.2);
 }
+
+TEST_CASE("a run-in longer than the headland is deep is cut short at the border", "[plan][limits]") {
+  const auto name = GENERATE("f5", "f6");
+  CAPTURE(name);
+  const Job job =
+      job_of(settings_of_toml("[machine]\npreset = \"p3\"\nworking_width_m = 4\nmax_steer_deg = 18\nrun_in_m "
+                              "= 18\ntool_lower_s = 3\n[headland]\npasses = 3\n",
+                              "test"));
+
+  const auto planned = plan(paper_field(name), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(100 * block.covered_m2 / block.area_m2 > 98.5);  // no swath is left out for its run-in
+  CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});
+}
