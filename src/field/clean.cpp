@@ -31,12 +31,9 @@ Polygons joined(const Polygons& areas) {
 
 /// At most so much lies within `near_m` of the border.
 double area_near_border_m2(const Polygon& area, double near_m) {
-  const auto beside_m2 = [near_m](const Ring& ring) {
-    return near_m * perimeter_m(ring) + static_cast<double>(ring.size()) * std::numbers::pi * near_m * near_m;
-  };
-  double sum = beside_m2(area.shell);
-  for (const Ring& hole : area.holes) sum += beside_m2(hole);
-  return sum;
+  std::size_t corners = area.shell.size();
+  for (const Ring& hole : area.holes) corners += hole.size();
+  return near_m * perimeter_m(area) + static_cast<double>(corners) * std::numbers::pi * near_m * near_m;
 }
 
 /// One ring, cut into loops by the side that the ring as a whole has on its left or right.

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -30,7 +29,6 @@ namespace {
 
 constexpr const char* kWgs84 = "+proj=longlat +datum=WGS84 +no_defs +type=crs";
 
-constexpr double kRadians = std::numbers::pi / 180;  // of a degree
 constexpr std::string_view kOnWgs84 = " +datum=WGS84";
 
 /// From radians, for a plane of the same datum: its own formulas, without the search for operations between
@@ -187,9 +185,10 @@ LocalFrame LocalFrame::of_crs(const std::string& code, LonLat origin) {
 }
 
 Point LocalFrame::to_local(LonLat p) const {
-  const double unit = same_datum_ ? kRadians : 1;
-  const PJ_COORD out = proj_trans(projection_->from_wgs84.get(), PJ_FWD,
-                                  proj_coord(p.lon_deg * unit, p.lat_deg * unit, 0, HUGE_VAL));
+  const PJ_COORD given =
+      same_datum_ ? proj_coord(radians_of_degrees(p.lon_deg), radians_of_degrees(p.lat_deg), 0, HUGE_VAL)
+                  : proj_coord(p.lon_deg, p.lat_deg, 0, HUGE_VAL);
+  const PJ_COORD out = proj_trans(projection_->from_wgs84.get(), PJ_FWD, given);
   return {out.xy.x, out.xy.y};
 }
 
@@ -202,7 +201,7 @@ LonLat LocalFrame::to_lonlat(Point p) const {
   for (int i = 0; i < kMost; ++i) {
     const PJ_COORD out =
         proj_trans(projection_->from_wgs84.get(), PJ_INV, proj_coord(aim.x_m, aim.y_m, 0, HUGE_VAL));
-    if (same_datum_) return {out.xy.x / kRadians, out.xy.y / kRadians};
+    if (same_datum_) return {degrees_of_radians(out.xy.x), degrees_of_radians(out.xy.y)};
     found = {out.xy.x, out.xy.y};
     const Point missed = p - to_local(found);
     if (!(length_m(missed) > kExact_m)) break;

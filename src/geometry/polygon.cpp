@@ -40,6 +40,12 @@ double perimeter_m(const Ring& ring) {
   return sum;
 }
 
+double perimeter_m(const Polygon& area) {
+  double sum = perimeter_m(area.shell);
+  for (const Ring& hole : area.holes) sum += perimeter_m(hole);
+  return sum;
+}
+
 double area_m2(const Polygon& area) {
   double sum = std::abs(signed_area_m2(area.shell));
   for (const Ring& hole : area.holes) sum -= std::abs(signed_area_m2(hole));

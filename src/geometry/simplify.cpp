@@ -36,12 +36,6 @@ void keep_between(const Ring& ring, std::size_t first, std::size_t last, double 
   }
 }
 
-double perimeter_of_all_m(const Polygon& area) {
-  double sum = perimeter_m(area.shell);
-  for (const Ring& hole : area.holes) sum += perimeter_m(hole);
-  return sum;
-}
-
 std::size_t corner_count(const Polygon& area) {
   std::size_t sum = area.shell.size();
   for (const Ring& hole : area.holes) sum += hole.size();
@@ -77,7 +71,7 @@ Polygon simplified(const Polygon& area, double tolerance_m) {
 Evened evened(const Polygon& area) {
   constexpr double kApart_m = 1;
   constexpr auto kStrays_m = std::to_array({0.005, 0.01, 0.02, 0.05, 0.1});
-  const double most = perimeter_of_all_m(area) / kApart_m;
+  const double most = perimeter_m(area) / kApart_m;
   Evened out{area, 0};
   for (const double stray_m : kStrays_m) {
     if (static_cast<double>(corner_count(out.area)) <= most) break;

@@ -43,8 +43,7 @@ class Parts {
 
 std::vector<RingLeg> legs_of(const Path& closed, double least_side_m) {
   const auto is_side = [&](const Stretch& stretch) {
-    return stretch.curve.curvature_per_m == 0 && stretch.curve.sharpness_per_m2 == 0 &&
-           stretch.curve.length_m >= least_side_m;
+    return is_straight(stretch.curve) && stretch.curve.length_m >= least_side_m;
   };
   Path path = closed;
   std::rotate(path.begin(), std::find_if(path.begin(), path.end(), is_side), path.end());

@@ -12,13 +12,11 @@ namespace {
 constexpr int kMostRepairs = 60;
 constexpr double kLeastRun = 1;  // of the working width: shorter runs are not worth a pass
 
-bool is_line(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
-
 /// Straight stretches that lie in one line put together again.
 Path straightened(const Path& path) {
   Path out;
   for (const Stretch& stretch : path) {
-    const bool line_on = !out.empty() && is_line(out.back().curve) && is_line(stretch.curve) &&
+    const bool line_on = !out.empty() && is_straight(out.back().curve) && is_straight(stretch.curve) &&
                          std::abs(wrapped(out.back().curve.heading_rad - stretch.curve.heading_rad)) < 1e-12;
     if (line_on)
       out.back().curve.length_m += stretch.curve.length_m;
@@ -85,8 +83,6 @@ std::vector<HeadlandRun> runs_along(const Ground& ground, const Ring& ring, doub
   return corners.fitting_runs();
 }
 
-bool wide_apart(const Ring&) { return false; }
-
 }  // namespace
 
 bool CornerLine::fits() const { return holds(ground_, path()); }
@@ -106,13 +102,13 @@ std::vector<HeadlandRun> CornerLine::fitting_runs() const {
   return runs_of(ground_, steps);
 }
 
+/// Where the ring itself leads nowhere round, by lines that stray further: noise of the border is no way.
 std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, double room_m) {
   std::vector<HeadlandRun> first;
   for (const double stray_m : {kFollow_m, 5 * kFollow_m, 20 * kFollow_m}) {
     std::vector<HeadlandRun> runs = runs_along(ground, ring, room_m, stray_m);
     if (runs.size() == 1 && runs.front().closed) return runs;
     if (first.empty()) first = std::move(runs);
-    if (wide_apart(ring)) break;
   }
   return first;
 }

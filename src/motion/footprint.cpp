@@ -166,7 +166,7 @@ bool clear_around(const FreeSpace& space, const Footprint& f, const Stretch& piv
 
 bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stretch) {
   if (is_pivot(stretch)) return clear_around(space, f, stretch);
-  if (straight(stretch.curve)) return clear_along_line(space, f, stretch);
+  if (is_straight(stretch.curve)) return clear_along_line(space, f, stretch);
   const double length = stretch.curve.length_m;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / curve_step_m(f, stretch.curve))));
   Walk walk{stretch, steps};

@@ -12,7 +12,7 @@ std::vector<Path> leads_off(const Pose& from, const CurveLimits& limits) {
   };
   std::vector<Path> leads;
   for (const auto& [wider, turn_rad] : {Kind{8, 0.3}, Kind{16, 0.2}, Kind{32, 0.1}}) {
-    const Swings gentle{{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)}};
+    const Swings gentle{widened(limits, wider)};
     for (const double turn : {turn_rad, -turn_rad}) leads.push_back(swing(from, turn, gentle));
   }
   return leads;

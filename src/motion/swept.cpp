@@ -68,7 +68,7 @@ std::vector<Ring> swept_by_tool(const Footprint& f, const Path& path) {
   for (const Stretch& stretch : path) {
     if (is_pivot(stretch)) continue;  // the tool is up
     const double length = stretch.curve.length_m;
-    const int steps = straight(stretch.curve)
+    const int steps = is_straight(stretch.curve)
                           ? 1
                           : std::max(1, static_cast<int>(std::ceil(length / sweep_step_m(f, stretch.curve))));
     Walk walk{stretch, steps};

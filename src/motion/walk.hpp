@@ -4,10 +4,9 @@
 #include <array>
 
 #include "selion/motion/path.hpp"
+#include "swing.hpp"
 
 namespace selion {
-
-inline bool straight(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
 
 using Corners = std::array<Point, 4>;
 
@@ -33,10 +32,6 @@ inline bool turns_left(const Corners& c) {
   for (std::size_t i = 0; i < c.size(); ++i)
     if (cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[(i + 1) % 4]) <= 0) return false;
   return true;
-}
-
-inline Point times(Point a, Point b) {
-  return {a.x_m * b.x_m - a.y_m * b.y_m, a.x_m * b.y_m + a.y_m * b.x_m};
 }
 
 /// Stands along a stretch, step by step: by Simpson's rule from one to the next, which over a step of at most
@@ -66,8 +61,8 @@ class Walk {
 
  private:
   Point next(Point direction) {
-    const Point ahead = times(direction, turn_);
-    turn_ = times(turn_, more_);
+    const Point ahead = turned(direction, turn_);
+    turn_ = turned(turn_, more_);
     return ahead;
   }
 

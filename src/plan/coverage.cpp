@@ -13,9 +13,7 @@ namespace {
 /// Narrower than a centimetre on average: rounding between sweeps, not unworked ground.
 bool is_gap(const Polygon& part) {
   constexpr double kHalf_m = 0.005;
-  double around_m = perimeter_m(part.shell);
-  for (const Ring& hole : part.holes) around_m += perimeter_m(hole);
-  return area_m2(part) < kHalf_m * around_m;
+  return area_m2(part) < kHalf_m * perimeter_m(part);
 }
 
 /// The areas of some pieces: each step of the tool for itself, summed, and all together.

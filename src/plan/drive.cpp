@@ -30,8 +30,7 @@ std::string name_of(PieceKind kind) {
 bool works(PieceKind kind) { return kind == PieceKind::swath || kind == PieceKind::headland_pass; }
 
 bool straight_ahead(const Stretch& stretch) {
-  return stretch.gear == Gear::forward && !is_pivot(stretch) && stretch.curve.curvature_per_m == 0 &&
-         stretch.curve.sharpness_per_m2 == 0;
+  return stretch.gear == Gear::forward && !is_pivot(stretch) && is_straight(stretch.curve);
 }
 
 /// Adds pieces in order and keeps account of the tool. Times are taken at the caps: the drive is never

@@ -20,9 +20,7 @@ const Swings& Driver::swings(double wider) {
   if (wider == 1) return terrain_.swings;
   const auto known = wider_.find(wider);
   if (known != wider_.end()) return known->second;
-  const CurveLimits& limits = terrain_.limits;
-  const CurveLimits gentle{limits.curvature_per_m / wider, limits.sharpness_per_m2 / (wider * wider)};
-  return wider_.emplace(wider, Swings{gentle}).first->second;
+  return wider_.emplace(wider, Swings{widened(terrain_.limits, wider)}).first->second;
 }
 
 /// The same turns with sharper clothoids.
@@ -79,9 +77,11 @@ std::optional<Driver::Approach> Driver::turn_led_into(const std::vector<Goal>& g
 /// turn, so mostly are all others. Then by a lead; last, tight ones that are long.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
   constexpr std::size_t kLikeliest = 12;
-  for (const std::size_t most_goals : {kLikeliest, goals.size()})
+  for (std::size_t tried = 0; tried < goals.size();) {
+    tried = tried == 0 ? std::min(kLikeliest, goals.size()) : goals.size();
     for (const double wider : {1.0, 2.0, 4.0, 8.0})
-      if (auto turn = turn_into(goals, swings(wider), longest_turn_m(), most_goals)) return turn;
+      if (auto turn = turn_into(goals, swings(wider), longest_turn_m(), tried)) return turn;
+  }
   if (auto turn = turn_led_into(goals)) return turn;
   return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m(), goals.size());
 }

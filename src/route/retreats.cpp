@@ -23,7 +23,7 @@ struct Backing {
 /// Backs over one stretch more; where the wheels stand straight on it, a retreat may end.
 void back_over(Backing& backing, const Stretch& stretch) {
   const double whole_m = stretch.curve.length_m;
-  const bool straight = stretch.curve.curvature_per_m == 0 && stretch.curve.sharpness_per_m2 == 0;
+  const bool straight = is_straight(stretch.curve);
   const bool may_end = straight || std::abs(stretch.curve.curvature_per_m) < kStraight_per_m;
   const int steps = straight ? std::max(1, static_cast<int>(std::ceil(whole_m / kRetreatStep_m))) : 1;
   append(backing.run, backed({stretch}));

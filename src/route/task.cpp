@@ -22,9 +22,9 @@ constexpr double kLeastSplit = 8;  // working widths of length from which an ope
 Path from_straight(const Path& path, double from_m) {
   double begin_m = 0;
   for (const Stretch& stretch : path) {
-    const bool straight = stretch.curve.curvature_per_m == 0 && stretch.curve.sharpness_per_m2 == 0;
     const double end_m = begin_m + stretch.curve.length_m;
-    if (straight && end_m > from_m) return part_of(path, std::max(begin_m, from_m), length_m(path));
+    if (is_straight(stretch.curve) && end_m > from_m)
+      return part_of(path, std::max(begin_m, from_m), length_m(path));
     begin_m = end_m;
   }
   return path;

@@ -25,8 +25,6 @@ bool is_junction(int station, int count) {
   return station < kAtEnd || station >= count - kAtEnd || station % kEvery == 0;
 }
 
-bool straight(const Curve& curve) { return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0; }
-
 }  // namespace
 
 Path part_of(const Path& path, double from_m, double to_m) {
@@ -80,7 +78,7 @@ Track track_of(const Path& path, bool closed) {
   for (const Stretch& stretch : path) {
     const double length = stretch.curve.length_m;
     const int steps = station_count(length);
-    for (int i = 0; straight(stretch.curve) && i < steps; ++i) {
+    for (int i = 0; is_straight(stretch.curve) && i < steps; ++i) {
       const double s = length * (i + 0.5) / steps;
       track.stations.push_back({before + s, vehicle_pose(stretch, s), is_junction(i, steps)});
     }

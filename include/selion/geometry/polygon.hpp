@@ -21,6 +21,8 @@ struct Polygon {
 /// Anticlockwise positive.
 double signed_area_m2(const Ring& ring);
 double perimeter_m(const Ring& ring);
+/// Of shell and holes.
+double perimeter_m(const Polygon& area);
 /// Holes taken off.
 double area_m2(const Polygon& area);
 double area_m2(const std::vector<Polygon>& areas);

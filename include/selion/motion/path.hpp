@@ -20,6 +20,10 @@ struct Curve {
   friend bool operator==(const Curve&, const Curve&) = default;
 };
 
+inline bool is_straight(const Curve& curve) {
+  return curve.curvature_per_m == 0 && curve.sharpness_per_m2 == 0;
+}
+
 struct CurveState {
   Point at;
   double heading_rad = 0;  ///< continuous along the curve, not wrapped

@@ -15,6 +15,11 @@ struct CurveLimits {
   friend bool operator==(const CurveLimits&, const CurveLimits&) = default;
 };
 
+/// Of the same curves `by` times as large.
+constexpr CurveLimits widened(const CurveLimits& limits, double by) {
+  return {limits.curvature_per_m / by, limits.sharpness_per_m2 / (by * by)};
+}
+
 /// The curves of a swing by a deflection >= 0: clothoid, arc, clothoid.
 struct SwingShape {
   double curvature_per_m = 0;  ///< at its middle
