@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "selion/motion/dead_ends.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "selion/motion/leads.hpp"
@@ -24,9 +25,9 @@ bool turns_off(const Pose& pose, const Swings& swings, Fits fits) {
     if (on_m > 0 && !fits(Path{{line(pose.at, begin.at), Gear::forward}})) break;
     if (turns_at(begin, swings, fits)) return true;
   }
-  for (const Path& lead : leads_off(pose, swings.limits()))
-    if (fits(lead) && turns_at(end_pose(lead), swings, fits)) return true;
-  return false;
+  return std::ranges::any_of(leads_off(pose, swings.limits()), [&](const Path& lead) {
+    return fits(lead) && turns_at(end_pose(lead), swings, fits);
+  });
 }
 
 }  // namespace
