@@ -194,10 +194,13 @@ std::optional<Dip> dip_to(const Pose& goal, const Swings& swings) {
 
 void add(std::vector<Word>& words, const UTurn& turn, const Swings& swings) {
   for (const int side : {1, -1}) {
-    auto dip = dip_to(side > 0 ? turn.goal : mirrored(turn.goal), swings);
+    const auto dip = dip_to(side > 0 ? turn.goal : mirrored(turn.goal), swings);
     if (!dip) continue;
-    dip->side = side;
-    words.push_back({.before_m = turn.before_m, .dip = dip, .after_m = turn.after_m});
+    Word& word = words.emplace_back();
+    word.before_m = turn.before_m;
+    word.dip = *dip;
+    word.dip->side = side;
+    word.after_m = turn.after_m;
   }
 }
 

@@ -55,6 +55,11 @@ Box box_around(const Footprint& f, const Stand& stand) {
            std::max(middle.y_m + body.y_m, line.y_m + tool.y_m)}};
 }
 
+Stand seen_from(const Stand& origin, const Stand& stand) {
+  const Point back = mirrored(origin.ahead);
+  return {turned(back, stand.at - origin.at), turned(back, stand.ahead)};
+}
+
 Box together(const Box& a, const Box& b) {
   return {{std::min(a.low.x_m, b.low.x_m), std::min(a.low.y_m, b.low.y_m)},
           {std::max(a.high.x_m, b.high.x_m), std::max(a.high.y_m, b.high.y_m)}};
@@ -84,7 +89,7 @@ class Steps {
     boxes_[count_++] = box_around(footprint_, stand);
   }
   [[nodiscard]] bool clear(const FreeSpace& space) const {
-    if (space.empty(box(0, count_))) return true;
+    if (space.empty(box(0, count_)) || space.clear(around())) return true;
     for (std::size_t i = 1; i < count_; ++i)
       if (!space.empty(box(i - 1, i + 1)) && !clear_between(space, footprint_, stands_[i - 1], stands_[i]))
         return false;
@@ -102,6 +107,15 @@ class Steps {
     Box all = boxes_[from];
     for (std::size_t i = from + 1; i < to; ++i) all = together(all, boxes_[i]);
     return all;
+  }
+  /// A rectangle along the middle stand around all of them: where that is clear, so is what they sweep.
+  [[nodiscard]] Corners around() const {
+    const Stand& middle = stands_[count_ / 2];
+    Box all = box_around(footprint_, seen_from(middle, stands_[0]));
+    for (std::size_t i = 1; i < count_; ++i)
+      all = together(all, box_around(footprint_, seen_from(middle, stands_[i])));
+    return {middle(all.low.x_m, all.low.y_m), middle(all.high.x_m, all.low.y_m),
+            middle(all.high.x_m, all.high.y_m), middle(all.low.x_m, all.high.y_m)};
   }
 
   const Footprint& footprint_;

@@ -35,6 +35,7 @@ View::View(const Pose& from_pose, const Pose& to_pose)
 
 double whole_turns_off(double angle_rad) {
   const double turn = 2 * std::numbers::pi;
+  if (angle_rad >= 0 && angle_rad < turn) return angle_rad;
   const double rest = angle_rad - turn * std::floor(angle_rad / turn);
   return rest >= turn || rest < 0 ? 0 : rest;
 }

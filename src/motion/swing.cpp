@@ -159,9 +159,13 @@ void draw_arc_back(Drawn& drawn, double curvature_per_m, double length_m) {
 }
 
 void draw_ramp(Drawn& drawn, const Ramp& ramp) {
-  drawn.path.push_back(
-      {{drawn.at.at, drawn.at.heading_rad, ramp.curvature_per_m, ramp.sharpness_per_m2, ramp.length_m},
-       Gear::forward});
+  // Written in place: copied right after its parts were written, a stretch waits until they have arrived.
+  Curve& curve = drawn.path.emplace_back().curve;
+  curve.start = drawn.at.at;
+  curve.heading_rad = drawn.at.heading_rad;
+  curve.curvature_per_m = ramp.curvature_per_m;
+  curve.sharpness_per_m2 = ramp.sharpness_per_m2;
+  curve.length_m = ramp.length_m;
   drawn.at.at = drawn.at.at + turned(drawn.ahead, ramp.way);
   drawn.at.heading_rad += (ramp.curvature_per_m + ramp.sharpness_per_m2 * ramp.length_m / 2) * ramp.length_m;
   drawn.ahead = turned(drawn.ahead, ramp.turn);
