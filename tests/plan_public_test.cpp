@@ -7,6 +7,7 @@
 
 #include "plan_check.hpp"
 #include "selion/field/read.hpp"
+#include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
 
 using namespace selion;
@@ -88,4 +89,20 @@ TEST_CASE("authorities' own files are planned field by field without a fault", "
                                      GENERATE("se_2023_shapefile/arslager_skiftePolygon.shp",
                                               "nl_brp2023_100.gpkg", "de_sh_feldbloecke_100_epsg4647.gpkg");
   CHECK(check_all(file, HeadlandCorners::round).planned > 0);
+}
+
+TEST_CASE("corners are rounded in a block where filling them leaves pockets out of reach", "[public]") {
+  if (skipped()) return;
+  std::istringstream nothing;
+  ReadOptions crooked;
+  crooked.layer = "world_mix";
+  crooked.field = "cz_zadosti23:41";
+  const Field field =
+      read_fields(kPublic.parent_path() / "batch" / "fields_batch.gpkg", crooked, nothing).at(0);
+  Job job = job_of(settings_of_toml("[machine]\npreset = \"tractor-6m\"\n", "test"));
+  const auto round = plan(field, job, Repair::notes_only, no_progress);
+  job.headland.corners = HeadlandCorners::fill;
+  const auto fill = plan(field, job, Repair::notes_only, no_progress);
+  REQUIRE((round && fill));
+  CHECK(fill->blocks.at(0).covered_m2 == round->blocks.at(0).covered_m2);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "coverage.hpp"
 #include "describe.hpp"
 #include "records.hpp"
 #include "selion/core/error.hpp"
@@ -111,14 +112,32 @@ RouteOptions route_options(const Block& block, const Job& job) {
   return options;
 }
 
-Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, const Job& job,
-                                const Progress& progress) {
+Result<PlannedBlock> plan_as_told(const Block& block, const LocalFrame& frame, const Job& job,
+                                  const Progress& progress) {
   progress("laying out", 0);
   auto layout = lay_out(block, frame, job);
   if (!layout) return layout.error();
   auto driven = route(block, *layout, job.machine, route_options(block, job), progress);
   if (!driven) return driven.error();
   return PlannedBlock{block, std::move(*layout), std::move(*driven)};
+}
+
+double covered_m2(const PlannedBlock& planned, const Machine& machine) {
+  return coverage_of(planned.block, planned.layout, planned.route, machine).covered_m2;
+}
+
+/// Corners are filled where that covers more: what it takes to fill them may be in the way of other work.
+Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, const Job& job,
+                                const Progress& progress) {
+  auto planned = plan_as_told(block, frame, job, progress);
+  if (job.headland.corners == HeadlandCorners::round) return planned;
+  Job rounded = job;
+  rounded.headland.corners = HeadlandCorners::round;
+  auto other = plan_as_told(block, frame, rounded, progress);
+  if (!other || (planned && covered_m2(*planned, job.machine) >= covered_m2(*other, job.machine)))
+    return planned;
+  other->route.notes.emplace_back("Its corners are rounded: filling them would leave more ground unworked.");
+  return other;
 }
 
 void add_block(Plan& plan, const PlannedBlock& planned, const LocalFrame& frame, const Job& job) {
