@@ -30,14 +30,14 @@ THIRD_PARTY = {
     r"nlopt\.h": {"motion", "layout"},
     r"gdal|ogr|cpl_": {"field", "verify"},
     r"proj\.h$": {"field", "planfile", "verify", "output"},
-    r"nlohmann/": {"field", "planfile"},
+    r"nlohmann/": {"field", "planfile", "verify"},
     r"opencv2/": {"sim"},
     r"toml\+\+/": {"plan"},
     r"cairo|pango|pugixml\.hpp$": {"output"},
     r"CLI/|spdlog/": {"cli"},
 }
 # What POSIX adds to the standard library: for files written whole, for terminals, and to load GDAL when it is needed.
-POSIX = {r"(unistd|fcntl|signal)\.h$|sys/": {"output", "cli"}, r"dlfcn\.h$": {"field"}}
+POSIX = {r"(unistd|fcntl|signal)\.h$|sys/": {"output", "cli"}, r"dlfcn\.h$": {"field", "verify"}}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+$")

@@ -25,11 +25,15 @@ constexpr auto kCommands = std::to_array<Command>({
      "  selion inspect farm.gpkg\n"
      "  selion inspect out/plan.geojson --json\n",
      setup_inspect},
+    {"verify", "PLAN [FIELD]", "check a plan independently: what is wrong, and where",
+     "  selion verify out/plan.geojson\n"
+     "  selion verify out/plan.geojson home.shp --json\n",
+     setup_verify},
     {"help", "[COMMAND]", "explain selion, or one of its commands", "  selion help plan\n", setup_help},
 });
 
 constexpr auto kLater =
-    std::to_array<std::string_view>({"compare", "simulate", "targets", "verify", "batch", "export", "study"});
+    std::to_array<std::string_view>({"compare", "simulate", "targets", "batch", "export", "study"});
 
 }  // namespace
 

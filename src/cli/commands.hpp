@@ -16,6 +16,7 @@ using Run = std::function<int()>;
 
 Run setup_plan(CLI::App& app);
 Run setup_inspect(CLI::App& app);
+Run setup_verify(CLI::App& app);
 Run setup_help(CLI::App& app);
 
 struct Command {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "selion/verify/verify.hpp"
+
+namespace selion::cli {
+
+std::string text_of(const Verdict& verdict, const WatchList& watch, const std::string& plan);
+std::string json_of(const Verdict& verdict, const WatchList& watch);
+
+}  // namespace selion::cli

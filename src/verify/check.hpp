@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driven.hpp"
+#include "findings.hpp"
+#include "geos.hpp"
+#include "plane.hpp"
+#include "selion/verify/verify.hpp"
+#include "vehicle.hpp"
+
+namespace selion::verifying {
+
+constexpr double kInside_m = 0.01;  // "inside" allows as much (docs/architecture.md)
+
+/// One block: where body and tool may be.
+struct Ground {
+  int block = 1;
+  Shape area;       ///< as the plan file has it
+  Shape obstacles;  ///< of the plan file, none: empty
+  Prepared room;    ///< the area and kInside_m around it, less the obstacles
+  Prepared border;  ///< of `room`
+  Prepared overhang_border;  ///< of the room for a raised tool
+};
+
+/// A plan taken apart, and what is found in it.
+struct Case {
+  const PlanFile& plan;
+  const Plane& plane;
+  const Vehicle& vehicle;
+  std::vector<Ground> grounds;
+  std::vector<Driven> drives;
+  Findings& findings;
+
+  [[nodiscard]] const Ground* ground(int block) const;
+};
+
+/// "robot 1, piece 17 (swath 12a)", counted from 1.
+std::string piece_name(const Driven& driven, std::size_t piece);
+
+/// Of the plan's field: rings that cross, areas, distance to obstacles. Fills `grounds`.
+void check_grounds(Case& plan);
+/// Against the field as its owner has it. @throws InputError where it cannot be read.
+void check_given(Case& plan, const GivenField& given);
+/// Pieces end to end: place, heading, curvature; what each may be.
+void check_joints(Case& plan, const Driven& driven);
+/// Curvature of each piece, tool down or up.
+void check_bends(Case& plan, const Driven& driven);
+/// Finds the samples on the pieces, and says where they do not belong. Fills `moments`.
+void check_samples(Case& plan, Driven& driven);
+/// Speeds, acceleration, lateral acceleration and steering between the moments.
+void check_speeds(Case& plan, const Driven& driven);
+/// Body and tool in the block and clear of obstacles, everywhere.
+void check_inside(Case& plan, const Driven& driven);
+/// Each swath and pass once, where its line lies, in its order.
+void check_lines(Case& plan);
+/// The ground covered. Fills the verdict's areas and places.
+void check_coverage(Case& plan, Verdict& verdict);
+/// Every figure of the summary.
+void check_summary(Case& plan, const Verdict& verdict);
+/// Robots against each other, at any time.
+void check_robots(Case& plan);
+
+}  // namespace selion::verifying

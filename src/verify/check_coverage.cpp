@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "check.hpp"
+
+namespace selion::verifying {
+namespace {
+
+constexpr double kStray_m = 0.002;    // of the tool's ends from the chords of what it sweeps
+constexpr double kNarrow_m = 0.01;    // on average: rounding between sweeps
+constexpr double kMostTurned = -0.5;  // cosine: turned by less than 120 degrees, a strip cannot meet itself
+
+struct ToolLine {
+  Point left;
+  Point right;
+};
+
+/// What the tool sweeps: strips, and the sum of their areas step by step.
+class Swept {
+ public:
+  explicit Swept(const Machine& machine) : machine_{machine} {}
+
+  void add(const PieceLine& piece) {
+    const double reach = std::hypot(machine_.tool_x_m, machine_.working_width_m / 2);
+    const double bend = piece.most_curvature_per_m();
+    const double step = std::sqrt(8 * kStray_m / std::max(1e-12, bend * (1 + bend * reach)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(piece.length_m() / step)));
+    for (int i = 0; i < steps; ++i) {
+      const Pose from = piece.vehicle(piece.length_m() * i / steps);
+      const Pose to = piece.vehicle(piece.length_m() * (i + 1) / steps);
+      step_between(line(from), line(to), unit(to.heading_rad));
+    }
+  }
+  void end() {
+    if (right_.empty()) return;
+    right_.insert(right_.end(), left_.rbegin(), left_.rend());
+    strips_.push_back(made_valid(polygon_of(right_)));
+    right_.clear();
+    left_.clear();
+  }
+  [[nodiscard]] const std::vector<Shape>& strips() const { return strips_; }
+  [[nodiscard]] double sum_m2() const { return sum_m2_; }
+
+ private:
+  [[nodiscard]] ToolLine line(const Pose& pose) const {
+    const double half = machine_.working_width_m / 2;
+    return {placed(pose, {machine_.tool_x_m, half}), placed(pose, {machine_.tool_x_m, -half})};
+  }
+
+  void step_between(const ToolLine& a, const ToolLine& b, Point ahead) {
+    const std::array<Point, 4> corners{a.right, b.right, b.left, a.left};
+    if (!convex(corners)) {
+      end();
+      strips_.push_back(hull(corners));
+      sum_m2_ += area_m2(strips_.back());
+      return;
+    }
+    sum_m2_ += (cross(corners[2] - corners[0], corners[3] - corners[1])) / 2;
+    const bool joined = !right_.empty() && distance_m(right_.back(), a.right) < 1e-3 &&
+                        distance_m(left_.back(), a.left) < 1e-3;
+    if (!joined) {
+      end();
+      right_.push_back(a.right);
+      left_.push_back(a.left);
+      first_ahead_ = ahead;
+    }
+    right_.push_back(b.right);
+    left_.push_back(b.left);
+    if (dot(first_ahead_, ahead) < kMostTurned) end();
+  }
+
+  static bool convex(const std::array<Point, 4>& c) {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!(cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[(i + 1) % 4]) > 0)) return false;
+    return true;
+  }
+
+  /// The inner end of the tool goes back: what both lines and the ground between them take up.
+  static Shape hull(const std::array<Point, 4>& corners) { return convex_hull(corners); }
+
+  const Machine& machine_;
+  std::vector<Shape> strips_;
+  std::vector<Point> right_;
+  std::vector<Point> left_;
+  Point first_ahead_;
+  double sum_m2_ = 0;
+};
+
+void add_places(std::vector<VerifiedPlace>& places, const Case& plan, int block, const Shape& shape) {
+  const auto to_lonlat = [&plan](const std::vector<Point>& ring) {
+    LonLatLine line;
+    for (const Point p : ring) line.push_back(plan.plane.to_lonlat(p));
+    return line;
+  };
+  for (const Shape& part : parts_of(shape)) {
+    const double area = area_m2(part);
+    const auto inside = place_in(part);
+    if (area < kNarrow_m / 2 * perimeter_m(part) || !inside) continue;
+    const Outline outline = outlines_of(part).front();
+    LonLatArea lonlat{to_lonlat(outline.shell), {}};
+    for (const auto& hole : outline.holes) lonlat.holes.push_back(to_lonlat(hole));
+    places.push_back({block, std::move(lonlat), plan.plane.to_lonlat(*inside), area});
+  }
+}
+
+}  // namespace
+
+void check_coverage(Case& plan, Verdict& verdict) {
+  for (const Ground& ground : plan.grounds) {
+    Swept swept{plan.vehicle.machine};
+    for (const Driven& driven : plan.drives) {
+      if (driven.record->block != ground.block) continue;
+      for (const PieceLine& piece : driven.pieces)
+        piece.record().tool == 1 && piece.length_m() > 0 ? swept.add(piece) : swept.end();
+      swept.end();
+    }
+    verdict.area_m2 += area_m2(ground.area);
+    if (swept.strips().empty()) {
+      add_places(verdict.missed, plan, ground.block, ground.area);
+      continue;
+    }
+    const Shape all = united(swept.strips());
+    const Shape missed = without(ground.area, all);
+    verdict.covered_m2 += area_m2(ground.area) - area_m2(missed);
+    verdict.twice_m2 += swept.sum_m2() - area_m2(all);
+    add_places(verdict.missed, plan, ground.block, missed);
+    add_places(verdict.twice, plan, ground.block, overlaps(swept.strips()));
+  }
+}
+
+}  // namespace selion::verifying

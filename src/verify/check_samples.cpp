@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "check.hpp"
+
+namespace selion::verifying {
+namespace {
+
+constexpr double kPlace_m = 1.2e-3;  // a millimetre, and the coordinates' rounding
+constexpr double kWay_m = 6e-4;      // of the rounding of two places and of speeds
+constexpr double kSpeed_mps = 1e-4;  // of a speed's and a time's rounding
+constexpr double kNear_m = 1e-3;     // of a joint: the sample may belong to either side
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// Walks along the samples of one trajectory.
+class SampleCheck {
+ public:
+  SampleCheck(Case& plan, Driven& driven)
+      : plan_{plan},
+        driven_{driven},
+        record_{*driven.record},
+        at_{plan.plane.to_local(record_.line)} {}
+
+  void run() {
+    if (record_.line.size() < 2) return;
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      place(i);
+      heading(i);
+      curvature(i);
+      if (i > 0) interval(i);
+    }
+    ends();
+    rests();
+  }
+
+ private:
+  void say(const char* code, std::size_t i, Measured measured, const std::string& what) {
+    plan_.findings.add(code, record_.block, at_[i], measured,
+                       "robot " + std::to_string(record_.robot) + ", sample " + std::to_string(i + 1) + " (" +
+                           shown(record_.t_s[i], 1) + " s) " + what);
+  }
+
+  [[nodiscard]] double speed(std::size_t i) const { return std::abs(record_.speed_mps[i]); }
+
+  /// Where speeds lead from the sample before, corrected by where the sample lies.
+  void place(std::size_t i) {
+    double way = 0;
+    if (i > 0) {
+      const double span = record_.t_s[i] - record_.t_s[i - 1];
+      way = driven_.moments.back().way_m + (speed(i - 1) + speed(i)) / 2 * span;
+    }
+    const double led = std::clamp(way, 0.0, driven_.whole_m());
+    way = led;
+    for (int k = 0; k < 3; ++k) {
+      const Spot here = driven_.spot(way);
+      way = std::clamp(way + dot(at_[i] - here.at, unit(here.heading_rad)), led - kNear_m, led + kNear_m);
+      way = std::clamp(way, 0.0, driven_.whole_m());
+    }
+    const double off = distance_m(driven_.spot(way).at, at_[i]);
+    if (!(off <= kPlace_m)) {
+      say("sample_place", i, {off, 1e-3}, "lies " + shown(off, 4) + " m off where its pieces and speeds lead");
+      way = nearest(i, led);
+    }
+    driven_.moments.push_back({record_.t_s[i], speed(i), snapped(way)});
+  }
+
+  /// A sample stands at each joint: one as near as roundings is there.
+  [[nodiscard]] double snapped(double way) const {
+    constexpr double kRounded_m = 2e-4;
+    const auto next = std::lower_bound(driven_.begin_m.begin(), driven_.begin_m.end(), way);
+    if (next != driven_.begin_m.end() && *next - way < kRounded_m) return *next;
+    if (next != driven_.begin_m.begin() && way - *(next - 1) < kRounded_m) return *(next - 1);
+    return way;
+  }
+
+  /// Where the sample is nearest to the pieces, within some metres, so that one that is off does not take
+  /// those after it along.
+  [[nodiscard]] double nearest(std::size_t i, double led) const {
+    constexpr double kReach_m = 5;
+    constexpr double kStep_m = 0.05;
+    double best = led;
+    double least = distance_m(driven_.spot(led).at, at_[i]);
+    for (double way = std::max(0.0, led - kReach_m); way < std::min(driven_.whole_m(), led + kReach_m);
+         way += kStep_m) {
+      const double off = distance_m(driven_.spot(way).at, at_[i]);
+      if (off < least) best = way, least = off;
+    }
+    return best;
+  }
+
+  /// Pieces that touch the sample's place, those that stand among them.
+  template <class Fits>
+  [[nodiscard]] bool of_some_piece(std::size_t i, Fits fits) const {
+    const double way = driven_.moments[i].way_m;
+    const auto& begin = driven_.begin_m;
+    auto piece = static_cast<std::size_t>(std::lower_bound(begin.begin(), begin.end(), way - kNear_m) - begin.begin());
+    piece = piece == 0 ? 0 : piece - 1;
+    for (; piece < driven_.pieces.size() && begin[piece] <= way + kNear_m; ++piece) {
+      const PieceLine& line = driven_.pieces[piece];
+      const double on = std::clamp(way - begin[piece], 0.0, begin[piece + 1] - begin[piece]);
+      if (fits(line, std::clamp(line.curve_m(on), 0.0, line.length_m()))) return true;
+    }
+    return false;
+  }
+
+  void heading(std::size_t i) {
+    constexpr double kHeading_rad = 2e-6;
+    const bool fits = of_some_piece(i, [&](const PieceLine& line, double s) {
+      const double slack = kHeading_rad + line.most_curvature_per_m() * kNear_m;
+      const double off = std::remainder(record_.heading_rad[i] - line.vehicle(s).heading_rad, kTurn);
+      const double pivot = line.record().angle_rad.value_or(0);
+      return off >= std::min(0.0, pivot) - slack && off <= std::max(0.0, pivot) + slack;
+    });
+    if (fits) return;
+    const double points = driven_.pieces[driven_.stop(driven_.moments[i].way_m).piece].vehicle(0).heading_rad;
+    say("sample_heading", i, {std::remainder(record_.heading_rad[i] - points, kTurn), kHeading_rad},
+        "points another way than its piece");
+  }
+
+  void curvature(std::size_t i) {
+    constexpr double kCurvature_per_m = 2e-6;
+    const double given = record_.curvature_per_m[i];
+    const bool fits = of_some_piece(i, [&](const PieceLine& line, double s) {
+      const double slack = kCurvature_per_m + std::abs(line.record().sharpness_per_m2) * kNear_m;
+      return std::abs(line.spot(s).curvature_per_m - given) <= slack;
+    });
+    const double bends = driven_.spot(driven_.moments[i].way_m).curvature_per_m;
+    if (!fits)
+      say("sample_curvature", i, {given, bends},
+          "has the curvature " + shown(given, 6) + " 1/m, its piece " + shown(bends, 6));
+  }
+
+  void interval(std::size_t i) {
+    const double span = record_.t_s[i] - record_.t_s[i - 1];
+    if (!(span > 0)) say("time_order", i, {span, 0}, "is not later than the one before");
+    const Moment& a = driven_.moments[i - 1];
+    const Moment& b = driven_.moments[i];
+    const double way = b.way_m - a.way_m;
+    const double told = (a.speed_mps + b.speed_mps) / 2 * span;
+    const double slack = kWay_m + kSpeed_mps * (span + a.speed_mps + b.speed_mps);
+    if (!(std::abs(way - told) <= slack))
+      say("sample_speed", i, {told, way},
+          "is " + shown(way, 4) + " m after the one before; speeds and times give " + shown(told, 4) + " m");
+    if (way <= 2 * kNear_m) return;
+    const Stop middle = driven_.stop((a.way_m + b.way_m) / 2);
+    const PieceLine& piece = driven_.pieces[middle.piece];
+    if (record_.tool[i - 1] != piece.record().tool)
+      say("sample_tool", i - 1, {1.0 * record_.tool[i - 1], 1.0 * piece.record().tool},
+          "has another tool state than its piece");
+    gear(i, piece.record().gear);
+    const double most = piece.straight() ? 100.01 : 0.251;
+    if (way > most && driven_.stop(a.way_m + kNear_m).piece == driven_.stop(b.way_m - kNear_m).piece)
+      say("sample_gap", i, {way, most}, "is " + shown(way, 2) + " m after the one before");
+  }
+
+  void gear(std::size_t i, int gear) {
+    for (const std::size_t k : {i - 1, i})
+      if (speed(k) > kSpeed_mps && (record_.speed_mps[k] > 0) != (gear > 0))
+        say("sample_gear", k, {record_.speed_mps[k], 0.0}, "is driven in another gear than its piece");
+  }
+
+  void ends() {
+    const std::size_t last = at_.size() - 1;
+    const double left = driven_.whole_m() - driven_.moments.back().way_m;
+    if (!(std::abs(left) <= kNear_m))
+      say("not_finished", last, {left, 0}, "is the last one, " + shown(left, 3) + " m before the end");
+    if (speed(0) > kSpeed_mps || speed(last) > kSpeed_mps || record_.t_s[0] != 0)
+      say("not_finished", last, {std::max(speed(0), speed(last)), 0},
+          "does not end, or the first one not begin, at rest and at 0 s");
+    const double length = record_.length_m - driven_.whole_m();
+    if (!(std::abs(length) <= kNear_m))
+      say("length", last, {record_.length_m, driven_.whole_m()},
+          "ends a trajectory said to be " + shown(record_.length_m, 2) + " m long; its pieces are " +
+              shown(driven_.whole_m(), 2) + " m");
+    if (!(std::abs(record_.duration_s - record_.t_s[last]) <= 2e-4))
+      say("duration", last, {record_.duration_s, record_.t_s[last]},
+          "ends a trajectory said to take " + shown(record_.duration_s, 2) + " s");
+  }
+
+  /// The robot stands as long as its waits and pivots last.
+  void rests() {
+    std::size_t i = 1;
+    for (std::size_t piece = 0; piece < driven_.pieces.size(); ++piece) {
+      if (!driven_.pieces[piece].stands()) continue;
+      double asked = 0;
+      const double way = driven_.begin_m[piece];
+      for (; piece < driven_.pieces.size() && driven_.pieces[piece].length_m() == 0; ++piece)
+        asked += driven_.pieces[piece].record().duration_s.value_or(0);
+      double rested = 0;
+      for (; i < driven_.moments.size() && driven_.moments[i - 1].way_m <= way + kNear_m; ++i)
+        if (driven_.moments[i].way_m <= way + kNear_m && driven_.moments[i - 1].way_m >= way - kNear_m)
+          rested += driven_.moments[i].t_s - driven_.moments[i - 1].t_s;
+      if (rested < asked - 2e-3)
+        say("rest", std::min(i, at_.size()) - 1, {rested, asked},
+            "ends a rest of " + shown(rested, 2) + " s, shorter than the " + shown(asked, 2) + " s asked for");
+    }
+  }
+
+  Case& plan_;
+  Driven& driven_;
+  const TrajectoryRecord& record_;
+  std::vector<Point> at_;
+};
+
+}  // namespace
+
+void check_samples(Case& plan, Driven& driven) { SampleCheck{plan, driven}.run(); }
+
+}  // namespace selion::verifying

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "check.hpp"
+
+namespace selion::verifying {
+namespace {
+
+constexpr double kSpeed_mps = 1.5e-4;  // of the rounding of speeds, times and places
+constexpr double kSlack = 1 + 3e-4;    // what is left out where two samples fall together
+
+/// A part of a piece on which the square of the speed grows evenly with the way.
+struct Part {
+  double from_m;  ///< along the piece's curve
+  double to_m;
+  double from_speed2;
+  double to_speed2;
+
+  [[nodiscard]] double speed2(double s_m) const {
+    if (!(to_m > from_m)) return std::max(from_speed2, to_speed2);
+    return from_speed2 + (s_m - from_m) / (to_m - from_m) * (to_speed2 - from_speed2);
+  }
+};
+
+/// The largest value of a function that has one peak.
+template <class Function>
+double largest(double from, double to, Function of) {
+  constexpr double kGolden = 0.6180339887498949;
+  double most = std::max(of(from), of(to));
+  for (int i = 0; i < 30; ++i) {
+    const double a = to - kGolden * (to - from);
+    const double b = from + kGolden * (to - from);
+    most = std::max({most, of(a), of(b)});
+    (of(a) < of(b) ? from : to) = of(a) < of(b) ? a : b;
+  }
+  return most;
+}
+
+class SpeedCheck {
+ public:
+  SpeedCheck(Case& plan, const Driven& driven) : plan_{plan}, driven_{driven} {}
+
+  void run() {
+    std::size_t piece = 0;
+    for (std::size_t i = 1; i < driven_.moments.size(); ++i) {
+      const Moment& a = driven_.moments[i - 1];
+      const Moment& b = driven_.moments[i];
+      gain(a, b);
+      while (piece + 1 < driven_.pieces.size() && driven_.begin_m[piece + 1] <= a.way_m) ++piece;
+      for (std::size_t p = piece; p < driven_.pieces.size() && driven_.begin_m[p] < b.way_m; ++p) part(p, a, b);
+    }
+  }
+
+ private:
+  void say(const char* code, Point at, Measured measured, const std::string& what) {
+    plan_.findings.add(code, driven_.record->block, at, measured,
+                       "robot " + std::to_string(driven_.record->robot) + " " + what);
+  }
+
+  void gain(const Moment& a, const Moment& b) {
+    const double span = b.t_s - a.t_s;
+    if (!(span > 0)) return;
+    const Machine& m = plan_.vehicle.machine;
+    const double gain = (b.speed_mps - a.speed_mps) / span;
+    const double rounded = 1e-4 / span + 1e-4 * std::abs(gain) / span;
+    const double limit = gain > 0 ? m.max_accel_mps2 : m.max_brake_mps2;
+    if (std::abs(gain) <= limit * kSlack + rounded) return;
+    say("acceleration", driven_.spot(a.way_m).at, {gain, limit},
+        (gain > 0 ? "speeds up by " : "brakes by ") + shown(std::abs(gain), 3) + " m/s2 at " +
+            shown(a.t_s, 1) + " s; at most " + shown(limit, 3));
+  }
+
+  void part(std::size_t p, const Moment& a, const Moment& b) {
+    constexpr double kCrumb_m = 1e-3;
+    const double from = std::max(a.way_m, driven_.begin_m[p]);
+    const double to = std::min(b.way_m, driven_.begin_m[p + 1]);
+    if (to - from < kCrumb_m) return;
+    const double v0 = a.speed_mps * a.speed_mps;
+    const double v1 = b.speed_mps * b.speed_mps;
+    const auto at = [&](double way) { return v0 + (way - a.way_m) / (b.way_m - a.way_m) * (v1 - v0); };
+    const auto less = [](double square) {
+      const double speed = std::max(0.0, std::sqrt(std::max(0.0, square)) - kSpeed_mps);
+      return speed * speed;
+    };
+    const PieceLine& line = driven_.pieces[p];
+    check(p, {line.curve_m(from - driven_.begin_m[p]), line.curve_m(to - driven_.begin_m[p]), less(at(from)),
+              less(at(to))});
+  }
+
+  void check(std::size_t p, const Part& part) {
+    const PieceLine& line = driven_.pieces[p];
+    const Machine& m = plan_.vehicle.machine;
+    const double cap = line.record().tool == 1 ? m.work_speed_mps
+                       : line.straight()       ? m.max_speed_mps
+                                               : m.turn_speed_mps;
+    const double top = std::sqrt(std::max(part.from_speed2, part.to_speed2));
+    if (top > cap * kSlack)
+      say("speed", line.spot(part.from_m).at, {top, cap},
+          "drives " + piece_name(driven_, p) + " at " + shown(top, 3) + " m/s; at most " + shown(cap, 3));
+    if (line.straight()) return;
+    lateral(p, part);
+    steering(p, part);
+  }
+
+  /// v^2 |k|, of which v^2 and k are linear in the way: a parabola.
+  void lateral(std::size_t p, const Part& part) {
+    const PieceLine& line = driven_.pieces[p];
+    const double limit = plan_.vehicle.machine.max_lateral_mps2;
+    const double from = line.curvature_per_m(part.from_m);
+    const double to = line.curvature_per_m(part.to_m);
+    const double top2 = std::max(part.from_speed2, part.to_speed2);
+    if (top2 * std::max(std::abs(from), std::abs(to)) <= limit) return;
+    const auto bent = [&](double s) { return part.speed2(s) * std::abs(line.curvature_per_m(s)); };
+    const double flat =  // where the curve changes sides there is a peak on each
+        from * to < 0 ? part.from_m + from / (from - to) * (part.to_m - part.from_m) : part.to_m;
+    const double most = std::max(largest(part.from_m, flat, bent), largest(flat, part.to_m, bent));
+    if (most <= limit * kSlack) return;
+    say("lateral", line.spot(part.from_m).at, {most, limit},
+        "drives " + piece_name(driven_, p) + " with " + shown(most, 3) + " m/s2 to the side; at most " +
+            shown(limit, 3));
+  }
+
+  /// No steering along the part is faster: its highest speed, and no thanks to curvature.
+  [[nodiscard]] double bound(const PieceLine& line, const Part& part) const {
+    if (line.record().offset_m != 0) return 2 * plan_.vehicle.most_steering_rad_s;
+    const double top2 = std::max(part.from_speed2, part.to_speed2);
+    return steering_rad_s(plan_.vehicle, 0, line.record().sharpness_per_m2, std::sqrt(top2));
+  }
+
+  /// The square of the speed less that at which the steering is as fast as it can: concave along the piece.
+  void steering(std::size_t p, const Part& part) {
+    const PieceLine& line = driven_.pieces[p];
+    const double limit = plan_.vehicle.most_steering_rad_s;
+    const double offset = line.record().offset_m;
+    if (line.record().sharpness_per_m2 == 0) return;
+    const auto rate = [&](double s) {
+      const double k = line.curvature_per_m(s);
+      const double shrunk = 1 + offset * k;  // 1 / (1 - d k of the curve)
+      return steering_rad_s(plan_.vehicle, k, line.record().sharpness_per_m2 * shrunk * shrunk * shrunk,
+                            std::sqrt(part.speed2(s)));
+    };
+    if (bound(line, part) <= limit) return;
+    const double most = largest(part.from_m, part.to_m, rate);
+    if (most <= limit * kSlack) return;
+    say("steering_rate", line.spot(part.from_m).at, {most, limit},
+        "steers by " + shown(most, 4) + " rad/s in " + piece_name(driven_, p) + "; at most " +
+            shown(limit, 4));
+  }
+
+  Case& plan_;
+  const Driven& driven_;
+};
+
+}  // namespace
+
+void check_speeds(Case& plan, const Driven& driven) { SpeedCheck{plan, driven}.run(); }
+
+}  // namespace selion::verifying

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geos.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include <geos_c.h>
+
+namespace selion::verifying {
+namespace {
+
+/// One for each thread: GEOS's handles are not shared between threads.
+GEOSContextHandle_t handle() {
+  struct Ends {
+    void operator()(GEOSContextHandle_t context) const { GEOS_finish_r(context); }
+  };
+  thread_local const std::unique_ptr<GEOSContextHandle_HS, Ends> context{GEOS_init_r()};
+  return context.get();
+}
+
+Shape held(GEOSGeometry* geometry) {
+  return {geometry, [](GEOSGeometry* g) {
+            if (g != nullptr) GEOSGeom_destroy_r(handle(), g);
+          }};
+}
+
+GEOSCoordSequence* sequence_of(std::span<const Point> points, bool closed) {
+  std::vector<double> numbers;
+  numbers.reserve(2 * points.size() + 2);
+  for (const Point p : points) numbers.insert(numbers.end(), {p.x_m, p.y_m});
+  if (closed && !points.empty()) numbers.insert(numbers.end(), {points.front().x_m, points.front().y_m});
+  return GEOSCoordSeq_copyFromBuffer_r(handle(), numbers.data(),
+                                       static_cast<unsigned>(numbers.size() / 2), 0, 0);
+}
+
+GEOSGeometry* ring_of(std::span<const Point> corners) {
+  return GEOSGeom_createLinearRing_r(handle(), sequence_of(corners, true));
+}
+
+std::vector<Point> points_of(const GEOSGeometry* ring) {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(handle(), ring);
+  unsigned size = 0;
+  GEOSCoordSeq_getSize_r(handle(), sequence, &size);
+  std::vector<double> numbers(2 * std::size_t{size});
+  GEOSCoordSeq_copyToBuffer_r(handle(), sequence, numbers.data(), 0, 0);
+  std::vector<Point> points(size);
+  for (std::size_t i = 0; i < size; ++i) points[i] = {numbers[2 * i], numbers[2 * i + 1]};
+  if (points.size() > 1) points.pop_back();  // the first one again
+  return points;
+}
+
+Outline outline_of(const GEOSGeometry* polygon) {
+  Outline outline{points_of(GEOSGetExteriorRing_r(handle(), polygon)), {}};
+  for (int i = 0; i < GEOSGetNumInteriorRings_r(handle(), polygon); ++i)
+    outline.holes.push_back(points_of(GEOSGetInteriorRingN_r(handle(), polygon, i)));
+  return outline;
+}
+
+Shape simple(std::span<const Point> corners) {
+  if (corners.size() == 1)
+    return held(GEOSGeom_createPointFromXY_r(handle(), corners[0].x_m, corners[0].y_m));
+  return corners.size() == 2 ? line_through(corners) : polygon_of(corners);
+}
+
+Shape collected(const std::vector<Shape>& shapes) {
+  std::vector<GEOSGeometry*> members;
+  for (const Shape& shape : shapes)
+    if (shape) members.push_back(GEOSGeom_clone_r(handle(), shape.get()));
+  return held(GEOSGeom_createCollection_r(handle(), GEOS_GEOMETRYCOLLECTION, members.data(),
+                                          static_cast<unsigned>(members.size())));
+}
+
+}  // namespace
+
+Shape polygon_of(std::span<const Point> corners) {
+  return held(GEOSGeom_createPolygon_r(handle(), ring_of(corners), nullptr, 0));
+}
+
+Shape polygon_of(const Outline& outline) {
+  std::vector<GEOSGeometry*> holes;
+  for (const auto& hole : outline.holes)
+    if (hole.size() > 2) holes.push_back(ring_of(hole));
+  return held(GEOSGeom_createPolygon_r(handle(), ring_of(outline.shell), holes.data(),
+                                       static_cast<unsigned>(holes.size())));
+}
+
+Shape line_through(std::span<const Point> points) {
+  return held(GEOSGeom_createLineString_r(handle(), sequence_of(points, false)));
+}
+
+Shape made_valid(const Shape& shape) {
+  if (!shape || GEOSisValid_r(handle(), shape.get()) == 1) return shape;
+  return held(GEOSMakeValid_r(handle(), shape.get()));
+}
+
+Shape border_of(const Shape& area) { return held(GEOSBoundary_r(handle(), area.get())); }
+Shape united(const std::vector<Shape>& shapes) {
+  return held(GEOSUnaryUnion_r(handle(), collected(shapes).get()));
+}
+Shape convex_hull(std::span<const Point> points) {
+  return held(GEOSConvexHull_r(handle(), line_through(points).get()));
+}
+
+Shape overlaps(const std::vector<Shape>& shapes) {
+  struct Box {
+    double low_x, low_y, high_x, high_y;
+  };
+  std::vector<Box> boxes;
+  for (const Shape& shape : shapes) {
+    Box& box = boxes.emplace_back();
+    GEOSGeom_getXMin_r(handle(), shape.get(), &box.low_x);
+    GEOSGeom_getYMin_r(handle(), shape.get(), &box.low_y);
+    GEOSGeom_getXMax_r(handle(), shape.get(), &box.high_x);
+    GEOSGeom_getYMax_r(handle(), shape.get(), &box.high_y);
+  }
+  std::vector<Shape> pairs;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Prepared prepared{shapes[i]};
+    for (std::size_t k = 0; k < i; ++k) {
+      const Box& a = boxes[i];
+      const Box& b = boxes[k];
+      if (a.low_x > b.high_x || b.low_x > a.high_x || a.low_y > b.high_y || b.low_y > a.high_y) continue;
+      if (!prepared.touches(shapes[k])) continue;
+      if (Shape both = common(shapes[i], shapes[k]); area_m2(both) > 0) pairs.push_back(std::move(both));
+    }
+  }
+  return united(pairs);
+}
+
+Shape common(const Shape& a, const Shape& b) { return held(GEOSIntersection_r(handle(), a.get(), b.get())); }
+Shape without(const Shape& a, const Shape& b) { return held(GEOSDifference_r(handle(), a.get(), b.get())); }
+
+Shape grown(const Shape& shape, double by_m) {
+  constexpr int kPerQuarter = 8;
+  return held(GEOSBuffer_r(handle(), shape.get(), by_m, kPerQuarter));
+}
+
+double area_m2(const Shape& shape) {
+  double area = 0;
+  if (shape) GEOSArea_r(handle(), shape.get(), &area);
+  return area;
+}
+
+double perimeter_m(const Shape& shape) {
+  double length = 0;
+  if (shape) GEOSLength_r(handle(), shape.get(), &length);
+  return length;
+}
+
+double distance_m(const Shape& a, const Shape& b) {
+  double distance = std::numeric_limits<double>::infinity();
+  if (a && b && GEOSisEmpty_r(handle(), a.get()) != 1 && GEOSisEmpty_r(handle(), b.get()) != 1)
+    GEOSDistance_r(handle(), a.get(), b.get(), &distance);
+  return distance;
+}
+
+double farthest_m(const Shape& shape, const Shape& from) {
+  double most = 0;
+  const auto far = [&](Point p) {
+    most = std::max(most, distance_m(held(GEOSGeom_createPointFromXY_r(handle(), p.x_m, p.y_m)), from));
+  };
+  for (const Outline& outline : outlines_of(shape)) {
+    for (const Point p : outline.shell) far(p);
+    for (const auto& hole : outline.holes)
+      for (const Point p : hole) far(p);
+  }
+  return most;
+}
+
+std::vector<Outline> outlines_of(const Shape& shape) {
+  std::vector<Outline> outlines;
+  for (const Shape& part : parts_of(shape)) outlines.push_back(outline_of(part.get()));
+  return outlines;
+}
+
+std::optional<Point> place_in(const Shape& shape) {
+  const Shape inside = held(GEOSPointOnSurface_r(handle(), shape.get()));
+  Point p;
+  if (!inside || GEOSisEmpty_r(handle(), inside.get()) == 1) return std::nullopt;
+  GEOSGeomGetX_r(handle(), inside.get(), &p.x_m);
+  GEOSGeomGetY_r(handle(), inside.get(), &p.y_m);
+  return p;
+}
+
+std::vector<Shape> parts_of(const Shape& shape) {
+  std::vector<Shape> parts;
+  const auto take = [&parts](const GEOSGeometry* g, const auto& self) -> void {
+    const int type = GEOSGeomTypeId_r(handle(), g);
+    if (type == GEOS_POLYGON) {
+      if (GEOSisEmpty_r(handle(), g) != 1) parts.push_back(held(GEOSGeom_clone_r(handle(), g)));
+    } else if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
+      for (int i = 0; i < GEOSGetNumGeometries_r(handle(), g); ++i)
+        self(GEOSGetGeometryN_r(handle(), g, i), self);
+    }
+  };
+  if (shape) take(shape.get(), take);
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Shape& a, const Shape& b) { return area_m2(a) > area_m2(b); });
+  return parts;
+}
+
+Prepared::Prepared(Shape shape)
+    : shape_{std::move(shape)}, prepared_{GEOSPrepare_r(handle(), shape_.get()), [](const GEOSPreparedGeometry* p) {
+                                            if (p != nullptr) GEOSPreparedGeom_destroy_r(handle(), p);
+                                          }} {}
+
+bool Prepared::touches(std::span<const Point> corners) const {
+  return GEOSPreparedIntersects_r(handle(), prepared_.get(), simple(corners).get()) != 0;
+}
+
+bool Prepared::touches(const Shape& other) const {
+  return GEOSPreparedIntersects_r(handle(), prepared_.get(), other.get()) != 0;
+}
+
+bool Prepared::holds(Point p) const {
+  const Shape place = held(GEOSGeom_createPointFromXY_r(handle(), p.x_m, p.y_m));
+  return GEOSPreparedContains_r(handle(), prepared_.get(), place.get()) == 1;
+}
+
+double Prepared::distance_m(std::span<const Point> corners) const {
+  double distance = std::numeric_limits<double>::infinity();
+  GEOSPreparedDistance_r(handle(), prepared_.get(), simple(corners).get(), &distance);
+  return distance;
+}
+
+}  // namespace selion::verifying

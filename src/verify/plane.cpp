@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plane.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <proj.h>
+
+namespace selion::verifying {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A projection of WGS84 itself is a formula; anything else is a step between coordinate systems, which takes
+/// PROJ milliseconds to set up.
+bool is_of_wgs84(const std::string& proj) {
+  return proj.find("+datum=WGS84") != std::string::npos && proj.find("+towgs84") == std::string::npos &&
+         proj.find("+nadgrids") == std::string::npos && proj.find("+axis") == std::string::npos &&
+         proj.find("+type=crs") == std::string::npos;
+}
+
+}  // namespace
+
+Plane::Plane(const std::string& proj)
+    : context_{proj_context_create(), proj_context_destroy}, in_radians_{is_of_wgs84(proj)} {
+  proj_log_level(context_.get(), PJ_LOG_NONE);
+  proj_context_set_enable_network(context_.get(), 0);
+  PJ* made = in_radians_ ? proj_create(context_.get(), proj.c_str())
+                         : proj_create_crs_to_crs(context_.get(), "OGC:CRS84", (proj + " +type=crs").c_str(),
+                                                  nullptr);
+  if (made != nullptr) transform_ = {made, proj_destroy};
+}
+
+Point Plane::to_local(LonLat p) const {
+  const double unit = in_radians_ ? kDegree : 1;
+  const PJ_COORD out =
+      proj_trans(transform_.get(), PJ_FWD, proj_coord(unit * p.lon_deg, unit * p.lat_deg, 0, HUGE_VAL));
+  return std::isfinite(out.xy.x) && std::isfinite(out.xy.y) ? Point{out.xy.x, out.xy.y} : Point{NAN, NAN};
+}
+
+LonLat Plane::to_lonlat(Point p) const {
+  const double unit = in_radians_ ? kDegree : 1;
+  const PJ_COORD out = proj_trans(transform_.get(), PJ_INV, proj_coord(p.x_m, p.y_m, 0, HUGE_VAL));
+  return {out.xy.x / unit, out.xy.y / unit};
+}
+
+std::vector<Point> Plane::to_local(const std::vector<LonLat>& line) const {
+  std::vector<Point> local;
+  local.reserve(line.size());
+  for (const LonLat p : line) local.push_back(to_local(p));
+  return local;
+}
+
+}  // namespace selion::verifying

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "selion/core/point.hpp"
+
+struct PJconsts;
+struct pj_ctx;
+
+namespace selion::verifying {
+
+/// The local metres of a plan file: between them and WGS84 by its PROJ string.
+class Plane {
+ public:
+  explicit Plane(const std::string& proj);
+
+  /// False where PROJ cannot make anything of the string.
+  [[nodiscard]] bool valid() const { return transform_ != nullptr; }
+  /// NaN beyond the projection's reach.
+  [[nodiscard]] Point to_local(LonLat p) const;
+  [[nodiscard]] LonLat to_lonlat(Point p) const;
+  [[nodiscard]] std::vector<Point> to_local(const std::vector<LonLat>& line) const;
+
+ private:
+  std::shared_ptr<pj_ctx> context_;
+  std::shared_ptr<PJconsts> transform_;
+  bool in_radians_ = false;
+};
+
+}  // namespace selion::verifying

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "taken_apart.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "selion/core/error.hpp"
+
+namespace selion::verifying {
+namespace {
+
+constexpr double kFar_m = 1e6;  // no field reaches as far from its frame's origin
+constexpr double kMostBend_per_m = 1e3;
+
+bool plausible(const PieceRecord& p) {
+  const double end = p.curvature_per_m + p.sharpness_per_m2 * p.length_m;
+  return std::abs(p.x_m) < kFar_m && std::abs(p.y_m) < kFar_m && p.length_m >= 0 && p.length_m < kFar_m &&
+         std::abs(p.curvature_per_m) < kMostBend_per_m && std::abs(end) < kMostBend_per_m &&
+         1 - p.offset_m * p.curvature_per_m > 0 && 1 - p.offset_m * end > 0;
+}
+
+/// Metres of ground for a metre of the frame, east and north of the origin.
+double stretch_at(const Plane& plane, LonLat origin) {
+  constexpr double kStep_deg = 1e-3;
+  constexpr double kMeridian_m_per_deg = 111'132.95;
+  constexpr double kSecond = -559.85;  // metres a degree by latitude, WGS84
+  constexpr double kFourth = 1.175;
+  const double lat = origin.lat_deg * std::acos(-1.0) / 180;
+  const double north_m = kMeridian_m_per_deg + kSecond * std::cos(2 * lat) + kFourth * std::cos(4 * lat);
+  const Point a = plane.to_local({origin.lon_deg, origin.lat_deg - kStep_deg / 2});
+  const Point b = plane.to_local({origin.lon_deg, origin.lat_deg + kStep_deg / 2});
+  return distance_m(a, b) / (north_m * kStep_deg);
+}
+
+}  // namespace
+
+TakenApart::TakenApart(const PlanFile& file)
+    : plane_{file.proj}, findings_{plane_}, case_{file, plane_, vehicle_, {}, {}, findings_} {
+  std::string trouble;
+  vehicle_ = vehicle_of(file.job_json, trouble);
+  check_job(trouble);
+  check_frame();
+  check_trajectories();
+  if (!usable_) return;
+  check_grounds(case_);
+  for (const TrajectoryRecord& record : file.trajectories) case_.drives.push_back(driven_of(record));
+}
+
+void TakenApart::refuse(const char* code, const std::string& what) {
+  findings_.add(code, 0, std::nullopt, {}, what);
+  usable_ = false;
+}
+
+void TakenApart::check_job(const std::string& trouble) {
+  if (!trouble.empty()) return refuse("job", "the job lacks, or has no value for: " + trouble);
+  try {
+    validate(vehicle_.machine);
+  } catch (const InputError& error) {
+    refuse("job", error.what());
+  }
+}
+
+/// The frame keeps lengths, is true to its origin, and lies where the field is.
+void TakenApart::check_frame() {
+  constexpr double kStretch = 1e-3;
+  constexpr double kOrigin_m = 10;
+  if (!plane_.valid()) return refuse("frame", "PROJ makes nothing of the frame " + case_.plan.proj);
+  const LonLat origin = case_.plan.origin;
+  const double stretch = stretch_at(plane_, origin);
+  if (!(std::abs(stretch - 1) <= kStretch))
+    return refuse("frame", "the frame stretches lengths by " + shown(100 * (stretch - 1), 3) + " %");
+  const double off = length_m(plane_.to_local(origin));
+  if (!(off <= kOrigin_m))
+    return refuse("frame", "the frame's origin lies " + shown(off, 1) + " m from where the file says");
+}
+
+void TakenApart::check_trajectories() {
+  const PlanFile& file = case_.plan;
+  const std::size_t blocks = file.fields.empty() ? 0 : file.fields.front().parts.size();
+  if (file.trajectories.empty()) findings_.add("no_trajectory", 0, std::nullopt, {}, "the file has no trajectory");
+  std::set<std::pair<int, int>> seen;
+  for (const TrajectoryRecord& t : file.trajectories) {
+    const std::string name = "the trajectory of robot " + std::to_string(t.robot) + " in block " + std::to_string(t.block);
+    if (t.block < 1 || static_cast<std::size_t>(t.block) > blocks)
+      refuse("block", name + " belongs to no block of the field");
+    if (!seen.emplace(t.block, t.robot).second) refuse("block", name + " is there twice");
+    if (t.pieces.empty() || t.line.size() < 2) refuse("no_trajectory", name + " is empty");
+    for (std::size_t i = 0; i < t.pieces.size(); ++i)
+      if (!plausible(t.pieces[i]))
+        return refuse("piece", name + ": piece " + std::to_string(i + 1) +
+                                   " has a length below 0, or numbers that no machine drives");
+    const double wide = vehicle_.machine.working_width_m;
+    if (!(std::abs(t.working_width_m - wide) <= 1e-3))
+      findings_.add("line_width", t.block, std::nullopt, {t.working_width_m, wide},
+                    name + " is said to work " + shown(t.working_width_m, 3) + " m, the tool is " + shown(wide, 3) + " m wide");
+  }
+}
+
+std::string piece_name(const Driven& driven, std::size_t piece) {
+  const PieceRecord& record = driven.pieces[piece].record();
+  return "robot " + std::to_string(driven.record->robot) + ", piece " + std::to_string(piece + 1) + " (" +
+         record.kind + (record.ref.empty() ? "" : " " + record.ref) + ")";
+}
+
+}  // namespace selion::verifying

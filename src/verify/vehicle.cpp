@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vehicle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+namespace selion::verifying {
+namespace {
+
+using nlohmann::json;
+
+class Reader {
+ public:
+  Reader(const json& job, std::string& trouble) : job_{job}, trouble_{trouble} {}
+
+  double number(const char* table, const char* key) {
+    const json* value = find(table, key);
+    if (value != nullptr && value->is_number()) return value->get<double>();
+    say(table, key);
+    return 1;
+  }
+  /// Absent where a word stands there.
+  std::optional<double> number_or_word(const char* table, const char* key) {
+    const json* value = find(table, key);
+    if (value != nullptr && value->is_string()) return std::nullopt;
+    return number(table, key);
+  }
+  bool flag(const char* table, const char* key) {
+    const json* value = find(table, key);
+    if (value != nullptr && value->is_boolean()) return value->get<bool>();
+    say(table, key);
+    return false;
+  }
+  std::string word(const char* table, const char* key) {
+    const json* value = find(table, key);
+    if (value != nullptr && value->is_string()) return value->get<std::string>();
+    say(table, key);
+    return {};
+  }
+
+ private:
+  const json* find(const char* table, const char* key) {
+    const auto at = job_.find(table);
+    if (at == job_.end() || !at->is_object()) return nullptr;
+    const auto value = at->find(key);
+    return value == at->end() ? nullptr : &*value;
+  }
+  void say(const char* table, const char* key) {
+    trouble_ += (trouble_.empty() ? "" : ", ") + std::string{table} + "." + key;
+  }
+
+  const json& job_;
+  std::string& trouble_;
+};
+
+void read_measures(Machine& m, Reader& job) {
+  const auto of_machine = [&job](const char* key) { return job.number("machine", key); };
+  m.working_width_m = of_machine("working_width_m");
+  m.tool_x_m = of_machine("tool_x_m");
+  m.body_width_m = of_machine("body_width_m");
+  m.front_m = of_machine("front_m");
+  m.rear_m = of_machine("rear_m");
+  m.wheelbase_m = of_machine("wheelbase_m");
+  m.track_m = of_machine("track_m");
+  m.max_steer_deg = of_machine("max_steer_deg");
+  m.max_steer_rate_deg_s = of_machine("max_steer_rate_deg_s");
+  m.min_turn_radius_m = job.number_or_word("machine", "min_turn_radius_m");
+  m.min_work_radius_m = job.number_or_word("machine", "min_work_radius_m");
+}
+
+void read_powers(Machine& m, Reader& job) {
+  const auto of_machine = [&job](const char* key) { return job.number("machine", key); };
+  m.max_speed_mps = of_machine("max_speed_mps");
+  m.work_speed_mps = of_machine("work_speed_mps");
+  m.turn_speed_mps = of_machine("turn_speed_mps");
+  m.max_accel_mps2 = of_machine("max_accel_mps2");
+  m.max_brake_mps2 = of_machine("max_brake_mps2");
+  m.max_lateral_mps2 = of_machine("max_lateral_mps2");
+  m.safety_gap_m = of_machine("safety_gap_m");
+  m.may_reverse = job.flag("machine", "may_reverse");
+  m.may_pivot = job.flag("machine", "may_pivot");
+  m.kind = job.word("machine", "kind") == "differential" ? MachineKind::differential : MachineKind::car;
+}
+
+}  // namespace
+
+Vehicle vehicle_of(const std::string& job_json, std::string& trouble) {
+  const json job = json::parse(job_json, nullptr, false);
+  if (!job.is_object()) {
+    trouble = "the whole job";
+    return {};
+  }
+  Reader reader{job, trouble};
+  Vehicle vehicle;
+  read_measures(vehicle.machine, reader);
+  read_powers(vehicle.machine, reader);
+  vehicle.overhang_m = reader.number("field", "overhang_m");
+  vehicle.obstacle_clearance_m = reader.number("field", "obstacle_clearance_m");
+  vehicle.water_margin_m = reader.number("field", "water_margin_m");
+  const Machine& m = vehicle.machine;
+  constexpr double kDegree = std::numbers::pi / 180;
+  vehicle.most_curvature_per_m = m.min_turn_radius_m ? 1 / *m.min_turn_radius_m
+                                                     : std::tan(m.max_steer_deg * kDegree) / m.wheelbase_m;
+  vehicle.most_working_curvature_per_m = vehicle.most_curvature_per_m;
+  if (m.min_work_radius_m)
+    vehicle.most_working_curvature_per_m =
+        std::min(vehicle.most_curvature_per_m, 1 / *m.min_work_radius_m);
+  vehicle.most_steering_rad_s = m.max_steer_rate_deg_s * kDegree;
+  return vehicle;
+}
+
+double steering_rad_s(const Vehicle& vehicle, double curvature_per_m, double sharpness_per_m2,
+                      double speed_mps) {
+  const Machine& m = vehicle.machine;
+  const double by_way = std::abs(sharpness_per_m2) * speed_mps;
+  if (m.kind == MachineKind::differential) return m.track_m * by_way;
+  const double tangent = m.wheelbase_m * curvature_per_m;
+  return m.wheelbase_m * by_way / (1 + tangent * tangent);
+}
+
+}  // namespace selion::verifying

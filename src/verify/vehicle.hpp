@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "selion/core/machine.hpp"
+
+namespace selion::verifying {
+
+/// What a job says of the machine and of the distances that it keeps.
+struct Vehicle {
+  Machine machine;
+  double overhang_m = 0;
+  double obstacle_clearance_m = 0;
+  double water_margin_m = 0;
+  double most_curvature_per_m = 0;          ///< by steering angle or turning radius
+  double most_working_curvature_per_m = 0;  ///< with the tool down
+  double most_steering_rad_s = 0;
+};
+
+/// @returns the keys that are missing or no numbers in `trouble`; then the vehicle is not to be used.
+Vehicle vehicle_of(const std::string& job_json, std::string& trouble);
+
+/// How fast the steering moves (its angle is atan(L k); of a differential machine, L k itself) where a path of
+/// that curvature and sharpness is driven at that speed.
+double steering_rad_s(const Vehicle& vehicle, double curvature_per_m, double sharpness_per_m2,
+                      double speed_mps);
+
+}  // namespace selion::verifying

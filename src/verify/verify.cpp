@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selion/verify/verify.hpp"
+
+#include "taken_apart.hpp"
+
+namespace selion {
+
+using namespace verifying;
+
+Verdict verify(const PlanFile& file, const std::optional<GivenField>& given) {
+  TakenApart taken{file};
+  Verdict verdict;
+  if (taken.usable()) {
+    Case& plan = taken.plan();
+    if (given) check_given(plan, *given);
+    for (Driven& driven : plan.drives) {
+      check_joints(plan, driven);
+      check_bends(plan, driven);
+      check_samples(plan, driven);
+      check_speeds(plan, driven);
+      check_inside(plan, driven);
+    }
+    check_lines(plan);
+    check_robots(plan);
+    check_coverage(plan, verdict);
+    check_summary(plan, verdict);
+  }
+  verdict.findings = std::move(taken).findings();
+  return verdict;
+}
+
+}  // namespace selion
