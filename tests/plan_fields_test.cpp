@@ -210,6 +210,30 @@ TEST_CASE("a field too narrow for its headlands is refused by width", "[plan]") 
   CHECK(planned.error().reason.find("wide at its widest place") != std::string::npos);
 }
 
+TEST_CASE("blocks on both sides of a short neck share no ground", "[plan]") {
+  const double neck_m = GENERATE(0.5, 1.5, 2.5);
+  CAPTURE(neck_m);
+  const double low = 15 - 1, high = 15 + 1, end = 40 + neck_m;  // two squares and a neck 2 m wide
+  const Field field = field_of_metres({{{{0, 0},
+                                         {40, 0},
+                                         {40, low},
+                                         {end, low},
+                                         {end, 0},
+                                         {end + 40, 0},
+                                         {end + 40, 30},
+                                         {end, 30},
+                                         {end, high},
+                                         {40, high},
+                                         {40, 30},
+                                         {0, 30}},
+                                        {}}});
+  const auto planned = plan(field, Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  REQUIRE(planned->blocks.size() == 2);
+  const double whole_m2 = 2 * 40 * 30 + 2 * neck_m;
+  CHECK(planned->blocks[0].area_m2 + planned->blocks[1].area_m2 == Approx(whole_m2).margin(0.05));
+}
+
 TEST_CASE("the same field and job give the same bytes", "[plan]") {
   const auto once = plan(sample("with_pond.geojson"), Job{}, Repair::notes_only, no_progress);
   const auto again = plan(sample("with_pond.geojson"), Job{}, Repair::notes_only, no_progress);

@@ -27,7 +27,7 @@ struct PlanOptions {
   std::string folder;
   std::string threads;
   std::string date;
-  bool print_job = false, overwrite = false, repair = false, json = false, quiet = false;
+  bool print_job = false, overwrite = false, repair = false, no_verify = false, json = false, quiet = false;
   std::shared_ptr<JobOptions> job;
   std::shared_ptr<FieldOptions> field;
 };
@@ -157,7 +157,8 @@ PlanSettings settings_of(const PlanOptions& options) {
   return {.job = job_from(*options.job),
           .repair = options.repair ? Repair::accept : Repair::notes_only,
           .existing = options.overwrite ? Existing::replace : Existing::refuse,
-          .date = date_of(options.date)};
+          .date = date_of(options.date),
+          .verifying = options.no_verify ? Verifying::left_out : Verifying::asked};
 }
 
 void check_arguments(const PlanOptions& options) {
@@ -218,6 +219,7 @@ Run setup_plan(CLI::App& app) {
   flag("--overwrite", options->overwrite, "replace the files of an earlier plan");
   flag("--json", options->json, "the report on standard output instead of the summary");
   flag("--print-job", options->print_job, "print the job with all its defaults as TOML, and plan nothing");
+  flag("--no-verify", options->no_verify, "leave out the independent check of the plan");
   flag("--repair", options->repair, "accept repairs that move a boundary by more than 1 cm");
   text("--date", options->date, "DATE", "a date for the map, YYYY-MM-DD or today [none]");
   text("--threads", options->threads, "COUNT", "fields planned at the same time [all processors]");

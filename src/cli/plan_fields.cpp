@@ -14,6 +14,7 @@
 #include "selion/output/map.hpp"
 #include "selion/output/report.hpp"
 #include "selion/planfile/planfile.hpp"
+#include "selion/verify/verify.hpp"
 
 namespace selion::cli {
 namespace {
@@ -28,38 +29,71 @@ MapOptions map_options(const Job& job) {
   return {.units = job.output.units == "imperial" ? Units::imperial : Units::metric, .paper = paper};
 }
 
-struct Files {
-  std::vector<OutputFile> files;
-  std::string fault;  ///< of the plan file: empty where it reads back
+/// The plan file's bytes, and what is wrong with them.
+struct PlanBytes {
+  OutputFile file;
+  std::string fault;  ///< empty where it reads back and no check failed
+  std::optional<Verification> verification;
 };
 
-/// A plan that cannot be read back is of no use to whoever is to drive it.
-std::string fault_of(const OutputFile& geojson) {
-  try {
-    static_cast<void>(plan_from_geojson(geojson.bytes, geojson.name));
-    return "";
-  } catch (const InputError& error) {
-    return std::string{"the plan that was written does not read back: "} + error.what();
-  }
+/// "2 faults found: body_outside: the body gets ..."
+std::string fault_text(const Verification& said) {
+  if (said.faults.empty()) return "";
+  const std::string more =
+      said.faults.size() == 1 ? "a fault" : std::to_string(said.faults.size()) + " faults";
+  return "the independent check of the plan found " + more + ": " + said.faults.front();
 }
 
-Files plan_file_of(const Plan& plan) {
-  Files out{{{std::string{kNames[0]}, to_geojson(plan.file)}}, ""};
-  out.fault = fault_of(out.files.front());
+Verification verification_of(const PlanFile& plan) {
+  Verification said;
+  for (const Finding& finding : verify(plan, std::nullopt).findings)
+    said.faults.push_back(finding.code + ": " + finding.what);
+  return said;
+}
+
+/// A plan that cannot be read back is of no use to whoever is to drive it.
+PlanBytes plan_bytes_of(const Plan& plan, Verifying verifying) {
+  PlanBytes out{{std::string{kNames[0]}, to_geojson(plan.file)}, "", std::nullopt};
+  try {
+    const PlanFile read = plan_from_geojson(out.file.bytes, out.file.name);
+    if (verifying == Verifying::left_out) return out;
+    out.verification = verification_of(read);
+    out.fault = fault_text(*out.verification);
+  } catch (const InputError& error) {
+    out.fault = std::string{"the plan that was written does not read back: "} + error.what();
+  }
   return out;
 }
 
-/// Plan file and maps take about as long: one is made beside the other.
-Files files_of(const Plan& plan, const PlanSettings& settings) {
-  std::future<Files> plan_file = std::async([&plan] { return plan_file_of(plan); });
+MapFiles map_of(const Plan& plan, const PlanSettings& settings) {
   MapText text = map_text(plan, settings.job);
   text.date = settings.date;
-  MapFiles map = map_files(plan.file, text, map_options(settings.job));
-  Files out = plan_file.get();
-  out.files.push_back({std::string{kNames[1]}, std::move(map.svg)});
-  out.files.push_back({std::string{kNames[2]}, std::move(map.pdf)});
-  out.files.push_back({std::string{kNames[3]}, report_json(plan)});
-  return out;
+  return map_files(plan.file, text, map_options(settings.job));
+}
+
+struct Files {
+  std::vector<OutputFile> files;
+  std::string fault;
+};
+
+/// The check of the plan file takes about as long as the map: the map is drawn meanwhile, for a plan that
+/// passes, and again where it does not.
+Files files_of(Plan& plan, const PlanSettings& settings) {
+  if (settings.verifying == Verifying::asked) plan.verification = Verification{};
+  const Plan& drawn = plan;
+  std::future<PlanBytes> checking =
+      std::async([&drawn, &settings] { return plan_bytes_of(drawn, settings.verifying); });
+  MapFiles map = map_of(plan, settings);
+  PlanBytes checked = checking.get();
+  if (checked.verification != plan.verification) {
+    plan.verification = std::move(checked.verification);
+    map = map_of(plan, settings);
+  }
+  return {{std::move(checked.file),
+           {std::string{kNames[1]}, std::move(map.svg)},
+           {std::string{kNames[2]}, std::move(map.pdf)},
+           {std::string{kNames[3]}, report_json(plan)}},
+          std::move(checked.fault)};
 }
 
 /// Lines of many thousand places are not needed once they are written.

@@ -23,11 +23,14 @@ struct Task {
   std::filesystem::path folder;
 };
 
+enum class Verifying { asked, left_out };
+
 struct PlanSettings {
   Job job;
   Repair repair = Repair::notes_only;
   Existing existing = Existing::refuse;
   std::optional<std::string> date;
+  Verifying verifying = Verifying::asked;
 };
 
 /// How one field came out.

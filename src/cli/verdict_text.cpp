@@ -18,7 +18,8 @@ std::string right(const std::string& text, std::size_t width) {
 }
 
 std::string finding_text(const Finding& finding) {
-  return "  " + finding.code + ": " + (finding.block > 0 ? "block " + std::to_string(finding.block) + ": " : "") +
+  return "  " + finding.code + ": " +
+         (finding.block > 0 ? "block " + std::to_string(finding.block) + ": " : "") +
          printable(finding.what) + (finding.at ? "\n      at " + place_text(*finding.at) : "") + "\n";
 }
 
@@ -106,8 +107,9 @@ std::string text_of(const Verdict& verdict, const WatchList& watch, const std::s
             fixed(verdict.area_m2 / 1e4, 2) + " ha, worked twice " +
             fixed(100 * verdict.twice_m2 / verdict.area_m2, 2) + " %\n";
   text += places_text("  not covered (lon, lat):\n", verdict.missed);
-  text += watch_text("Before the first drive, look at these places. Nearest to border or obstacle (body or tool):\n",
-                     watch.closest);
+  text += watch_text(
+      "Before the first drive, look at these places. Nearest to border or obstacle (body or tool):\n",
+      watch.closest);
   text += watch_text("Tightest curves (radius of the axle's path):\n", watch.tightest);
   return text;
 }

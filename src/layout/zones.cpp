@@ -2,6 +2,7 @@
 #include "selion/layout/zones.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "selion/geometry/boolean.hpp"
 #include "selion/geometry/simplify.hpp"
@@ -38,6 +39,15 @@ void share_out(const Block& block, Polygons& zones) {
     }
 }
 
+/// Both sides of a neck shorter than the machine reach into it: the ground belongs to the first.
+void make_disjoint(Polygons& zones) {
+  for (std::size_t i = 1; i < zones.size(); ++i) {
+    const Polygons before{zones.begin(), zones.begin() + static_cast<std::ptrdiff_t>(i)};
+    const Polygons own = subtract(Polygons{zones[i]}, before);
+    if (!own.empty()) zones[i] = own.front();
+  }
+}
+
 bool leads_into(const BlockGate& gate, const Polygon& zone) {
   constexpr double kInside_m = 0.1;
   return contains(zone, gate.at + kInside_m * unit(gate.inward_rad));
@@ -53,7 +63,9 @@ std::vector<Block> zones_of(const Block& block, const Machine& machine) {
   });
   if (cores.size() < 2) return {block};
   Polygons areas = reached(block, cores, half_m);
+  make_disjoint(areas);
   share_out(block, areas);
+  make_disjoint(areas);
   std::vector<Block> zones;
   for (const Polygon& area : areas) {
     Block zone = block;

@@ -105,12 +105,20 @@ void add_drive(Rows& rows, const Facts& facts) {
   rows.emplace_back("of it working", time_text(all.work_s));
 }
 
+void add_verification(Rows& rows, const Facts& facts) {
+  const auto& said = facts.plan.verification;
+  rows.emplace_back("Independent check", !said                  ? "not asked for"
+                                         : said->faults.empty() ? "no fault found"
+                                                                : "FAILED");
+}
+
 Rows data_box(const Facts& facts) {
   Rows rows;
   add_areas(rows, facts);
   add_swaths(rows, facts);
   add_headland(rows, facts);
   add_drive(rows, facts);
+  add_verification(rows, facts);
   return rows;
 }
 
@@ -122,6 +130,10 @@ MapText map_text(const Plan& plan, const Job& job) {
   text.data = data_box(facts_of(plan, job));
   text.assumptions = plan.assumptions;
   text.warnings = plan.file.warnings;
+  if (plan.verification && !plan.verification->faults.empty())
+    text.warnings.insert(
+        text.warnings.begin(),
+        "Do not drive this plan: the independent check found a fault. " + plan.verification->faults.front());
   return text;
 }
 

@@ -122,6 +122,13 @@ void block_figures(JsonWriter& json, const BlockReport& block, const PlanFile& f
   json.end().end();
 }
 
+void verification(JsonWriter& json, const std::optional<Verification>& said) {
+  json.key("verification").begin_object(JsonSpread::lines);
+  json.key("verdict").text(!said ? "not asked for" : said->faults.empty() ? "passed" : "failed");
+  texts(json, "faults", said ? said->faults : std::vector<std::string>{});
+  json.end();
+}
+
 void counts(JsonWriter& json, const std::vector<BlockReport>& blocks) {
   json.key("blocks").begin_object(JsonSpread::lines);
   for (const Status status : {Status::planned, Status::partial, Status::refused}) {
@@ -144,6 +151,7 @@ std::string report_json(const Plan& plan) {
   json.key("plan_id").text(plan.file.id);
   json.key("field").text(plan.file.fields.empty() ? std::string{} : plan.file.fields.front().name);
   json.key("status").text(name_of(status_of(plan)));
+  verification(json, plan.verification);
   texts(json, "warnings", plan.file.warnings);
   json.key("total").begin_object(JsonSpread::lines);
   counts(json, plan.blocks);

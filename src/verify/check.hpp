@@ -19,10 +19,10 @@ constexpr double kInside_m = 0.01;  // "inside" allows as much (docs/architectur
 /// One block: where body and tool may be.
 struct Ground {
   int block = 1;
-  Shape area;       ///< as the plan file has it
-  Shape obstacles;  ///< of the plan file, none: empty
-  Prepared room;    ///< the area and kInside_m around it, less the obstacles
-  Prepared border;  ///< of `room`
+  Shape area;                ///< as the plan file has it
+  Shape obstacles;           ///< of the plan file, none: empty
+  Prepared room;             ///< the area and kInside_m around it, less the obstacles
+  Prepared border;           ///< of `room`
   Prepared overhang_border;  ///< of the room for a raised tool
 };
 
@@ -41,7 +41,7 @@ struct Case {
 /// "robot 1, piece 17 (swath 12a)", counted from 1.
 std::string piece_name(const Driven& driven, std::size_t piece);
 
-/// Of the plan's field: rings that cross, areas, distance to obstacles. Fills `grounds`.
+/// Of the plan's field: rings that cross, areas. Fills `grounds`.
 void check_grounds(Case& plan);
 /// Against the field as its owner has it. @throws InputError where it cannot be read.
 void check_given(Case& plan, const GivenField& given);

@@ -34,8 +34,14 @@ class Swept {
   }
   void end() {
     if (right_.empty()) return;
-    right_.insert(right_.end(), left_.rbegin(), left_.rend());
-    strips_.push_back(made_valid(polygon_of(right_)));
+    std::vector<Point> outline = right_;
+    outline.insert(outline.end(), left_.rbegin(), left_.rend());
+    Shape strip = polygon_of(outline);
+    if (is_valid(strip))
+      strips_.push_back(std::move(strip));
+    else  // it meets itself: step by step
+      for (std::size_t i = 1; i < right_.size(); ++i)
+        strips_.push_back(polygon_of(std::array{right_[i - 1], right_[i], left_[i], left_[i - 1]}));
     right_.clear();
     left_.clear();
   }

@@ -9,7 +9,7 @@
 namespace selion::verifying {
 namespace {
 
-constexpr double kBorder_m = 0.02;   // a centimetre of repairs, and the file's decimals
+constexpr double kBorder_m = 0.02;  // a centimetre of repairs, and the file's decimals
 constexpr double kCrumb_m2 = 0.05;
 
 /// Of fields that are taken; even-odd where rings cross.
@@ -38,8 +38,8 @@ bool is_named(const OwnerFeature& feature, const GivenField& given) {
 }
 
 /// The field that the plan lies on.
-const OwnerFeature* field_of(const std::vector<OwnerFeature>& features, const Case& plan, const Shape& planned,
-                             const GivenField& given) {
+const OwnerFeature* field_of(const std::vector<OwnerFeature>& features, const Case& plan,
+                             const Shape& planned, const GivenField& given) {
   const OwnerFeature* best = nullptr;
   double most = 0;
   for (const OwnerFeature& feature : features) {
@@ -88,7 +88,8 @@ void check_given(Case& plan, const GivenField& given) {
   Shape left = without(owned, grown(planned, kBorder_m));
   if (!kept_off.empty()) left = without(left, united(kept_off));
   const double half = std::max(plan.vehicle.machine.working_width_m, plan.vehicle.machine.body_width_m) / 2;
-  tell(plan, "given_left_out", grown(left, -half), "of the field given, wide enough for the machine, are in no block");
+  tell(plan, "given_left_out", grown(left, -half),
+       "of the field given, wide enough for the machine, are in no block");
 }
 
 }  // namespace selion::verifying

@@ -12,11 +12,15 @@ Outline local_outline(const Plane& plane, const LonLatArea& area) {
   return outline;
 }
 
-Shape obstacles_of(const Case& plan, int block) {
+/// With what is kept from them, but for `less_m`.
+Shape obstacles_of(const Case& plan, int block, double less_m) {
   std::vector<Shape> shapes;
-  for (const ObstacleRecord& obstacle : plan.plan.obstacles)
-    if (obstacle.block == block)
-      shapes.push_back(made_valid(polygon_of(local_outline(plan.plane, obstacle.area))));
+  for (const ObstacleRecord& obstacle : plan.plan.obstacles) {
+    if (obstacle.block != block) continue;
+    const double kept =
+        obstacle.what == "water" ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m;
+    shapes.push_back(grown(made_valid(polygon_of(local_outline(plan.plane, obstacle.area))), kept - less_m));
+  }
   return shapes.empty() ? Shape{} : united(shapes);
 }
 
@@ -29,32 +33,21 @@ Shape without_holes(const Shape& area) {
 
 Shape holes_of(const Shape& area) { return without(without_holes(area), area); }
 
-void check_obstacle(Case& plan, const Ground& ground, const ObstacleRecord& obstacle) {
-  constexpr double kRounded_m = 0.011;  // a centimetre of repairs, and the file's decimals
-  const bool water = obstacle.what == "water";
-  const double wanted = water ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m;
-  const Shape shape = made_valid(polygon_of(local_outline(plan.plane, obstacle.area)));
-  const double there_is = distance_m(shape, ground.area);
-  if (there_is >= wanted - kRounded_m) return;
-  plan.findings.add("obstacle_clearance", ground.block, place_in(shape), {there_is, wanted},
-                    (obstacle.name.empty() ? "an obstacle" : obstacle.name) + " lies " + shown(there_is, 3) +
-                        " m from the ground that is worked; " + shown(wanted, 3) + " m are asked for");
-}
-
 void add_ground(Case& plan, int block, const LonLatArea& part) {
   const Shape given = polygon_of(local_outline(plan.plane, part));
   const Shape area = made_valid(given);
   if (area != given || !(area_m2(area) > 0))
     plan.findings.add("field_shape", block, place_in(area), {area_m2(area), 0},
                       "the block's border crosses itself, or encloses nothing");
-  const Shape obstacles = obstacles_of(plan, block);
+  const Shape obstacles = obstacles_of(plan, block, 0);
+  const Shape hard = obstacles_of(plan, block, kInside_m);
   const Shape grown_area = grown(area, kInside_m);
-  const Shape room = obstacles ? without(grown_area, grown(obstacles, -kInside_m)) : grown_area;
+  const Shape room = hard ? without(grown_area, hard) : grown_area;
   Shape high = room;
   if (plan.vehicle.overhang_m > 0) {
     high = without(grown(without_holes(area), plan.vehicle.overhang_m + kInside_m),
                    grown(holes_of(area), -kInside_m));
-    if (obstacles) high = without(high, grown(obstacles, -kInside_m));
+    if (hard) high = without(high, hard);
   }
   plan.grounds.push_back(
       {block, area, obstacles, Prepared{room}, Prepared{border_of(room)}, Prepared{border_of(high)}});
@@ -90,8 +83,6 @@ void check_grounds(Case& plan) {
       if (const double both = area_m2(common(plan.grounds[i].area, plan.grounds[k].area)); both > slack)
         plan.findings.add("field_shape", plan.grounds[i].block, std::nullopt, {both, 0},
                           "blocks overlap by " + shown(both, 2) + " m2");
-  for (const ObstacleRecord& obstacle : plan.plan.obstacles)
-    if (const Ground* ground = plan.ground(obstacle.block)) check_obstacle(plan, *ground, obstacle);
 }
 
 }  // namespace selion::verifying

@@ -45,7 +45,10 @@ Outline4 swept(const Outline4& o, const Sweep& by) {
 class InsideCheck {
  public:
   InsideCheck(Case& plan, const Driven& driven, const Ground& ground)
-      : plan_{plan}, driven_{driven}, ground_{ground}, body_{body_of(plan.vehicle.machine)},
+      : plan_{plan},
+        driven_{driven},
+        ground_{ground},
+        body_{body_of(plan.vehicle.machine)},
         tool_{tool_of(plan.vehicle.machine)} {}
 
   void run() {
@@ -91,8 +94,7 @@ class InsideCheck {
   static Sweep sweep(const PieceLine& piece, double from, double to) {
     const double half = (to - from) / 2;
     if (piece.record().angle_rad) return {0, half};
-    const double bend =
-        std::max(std::abs(piece.curvature_per_m(from)), std::abs(piece.curvature_per_m(to)));
+    const double bend = std::max(std::abs(piece.curvature_per_m(from)), std::abs(piece.curvature_per_m(to)));
     const double way = half * (1 + std::abs(piece.record().offset_m) * bend);
     return {way, way * bend};
   }
@@ -121,7 +123,8 @@ class InsideCheck {
       Outline4 some = shape;
       if (some.rear_m == some.front_m) some.front_m += 1e-6;  // a line has no area
       const Shape there = polygon_of(placed_corners(pose(driven_.pieces[i], along), some));
-      const double off = farthest_m(without(there, ground_.area), ground_.area);
+      const Shape free = ground_.obstacles ? without(ground_.area, ground_.obstacles) : ground_.area;
+      const double off = farthest_m(without(there, free), free);
       if (off > out) out = off, worst = along;
       if (ground_.obstacles) in_obstacle = std::max(in_obstacle, area_m2(common(there, ground_.obstacles)));
     }
@@ -129,7 +132,7 @@ class InsideCheck {
     const bool hits = in_obstacle > 1e-6;
     plan_.findings.add(hits ? codes.obstacle : codes.border, driven_.record->block, at, {out, kInside_m},
                        "the " + name + " gets " + shown(out, 3) + " m out of the block" +
-                           (hits ? ", into an obstacle," : "") + " in " + piece_name(driven_, i));
+                           (hits ? ", or nearer to an obstacle than allowed," : "") + " in " + piece_name(driven_, i));
   }
 
   Case& plan_;

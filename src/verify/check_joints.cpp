@@ -22,8 +22,9 @@ void check_joint(Case& plan, const Driven& driven, std::size_t i) {
   const int block = driven.record->block;
   const double off = distance_m(end.at, start.at);
   if (!(off <= kJoint_m + kRounded))
-    plan.findings.add("joint_position", block, start.at, {off, kJoint_m},
-                      piece_name(driven, i) + " begins " + shown(off, 4) + " m off the end of the one before");
+    plan.findings.add(
+        "joint_position", block, start.at, {off, kJoint_m},
+        piece_name(driven, i) + " begins " + shown(off, 4) + " m off the end of the one before");
   const double points = a.vehicle(a.length_m()).heading_rad + a.record().angle_rad.value_or(0);
   const double turned = std::abs(std::remainder(points - b.vehicle(0).heading_rad, 2 * std::numbers::pi));
   if (!(turned <= kJoint_rad + kRounded))
@@ -32,9 +33,9 @@ void check_joint(Case& plan, const Driven& driven, std::size_t i) {
   const bool rests = a.record().gear != b.record().gear || a.stands() || b.stands();
   const double bent = std::abs(end.curvature_per_m - start.curvature_per_m);
   if (!rests && !(bent <= kJoint_per_m))
-    plan.findings.add("joint_curvature", block, start.at, {bent, kJoint_per_m},
-                      "the curvature jumps by " + shown(bent, 6) + " 1/m where " + piece_name(driven, i) +
-                          " begins");
+    plan.findings.add(
+        "joint_curvature", block, start.at, {bent, kJoint_per_m},
+        "the curvature jumps by " + shown(bent, 6) + " 1/m where " + piece_name(driven, i) + " begins");
 }
 
 void check_tool(Case& plan, const Driven& driven, std::size_t i) {
@@ -73,8 +74,9 @@ void check_manoeuvre(Case& plan, const Driven& driven, std::size_t i) {
   const double least = least_pivot_s(machine, piece.angle_rad.value_or(0));
   const double given = piece.duration_s.value_or(0);
   if (given < least - 1e-3)
-    plan.findings.add("pivot_time", block, at, {given, least},
-                      name + " rotates in " + shown(given, 2) + " s, the wheels need " + shown(least, 2) + " s");
+    plan.findings.add(
+        "pivot_time", block, at, {given, least},
+        name + " rotates in " + shown(given, 2) + " s, the wheels need " + shown(least, 2) + " s");
 }
 
 }  // namespace
@@ -92,8 +94,7 @@ void check_bends(Case& plan, const Driven& driven) {
   for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
     const PieceLine& piece = driven.pieces[i];
     const bool down = piece.record().tool == 1;
-    const double limit =
-        down ? plan.vehicle.most_working_curvature_per_m : plan.vehicle.most_curvature_per_m;
+    const double limit = down ? plan.vehicle.most_working_curvature_per_m : plan.vehicle.most_curvature_per_m;
     const double bend = piece.most_curvature_per_m();
     if (bend <= limit * kSlack) continue;
     plan.findings.add("curvature", driven.record->block, piece.spot(0).at, {bend, limit},

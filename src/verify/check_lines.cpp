@@ -71,8 +71,9 @@ class LineCheck {
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes)
       if (const Stint* stint = the_one(pass.block, pass.id, pass.line)) check_pass(pass, *stint);
     for (const auto& [key, stints] : stints_)
-      plan_.findings.add("unknown_line", key.first, stints.front().driven->pieces[stints.front().first].spot(0).at,
-                         {1, 0}, key.second + " is driven, but the plan has no such line");
+      plan_.findings.add("unknown_line", key.first,
+                         stints.front().driven->pieces[stints.front().first].spot(0).at, {1, 0},
+                         key.second + " is driven, but the plan has no such line");
     check_order();
   }
 
@@ -115,8 +116,9 @@ class LineCheck {
                              shown(length.limit, 3) + " m");
     const double wide = plan_.vehicle.machine.working_width_m;
     if (!(std::abs(width_m - wide) <= 1e-3))
-      plan_.findings.add("line_width", block, at, {width_m, wide},
-                         id + " is said to be " + shown(width_m, 3) + " m wide, the tool is " + shown(wide, 3) + " m");
+      plan_.findings.add(
+          "line_width", block, at, {width_m, wide},
+          id + " is said to be " + shown(width_m, 3) + " m wide, the tool is " + shown(wide, 3) + " m");
   }
 
   void check_pass(const HeadlandPassRecord& pass, const Stint& stint) {
@@ -145,8 +147,8 @@ class LineCheck {
           plan_.findings.add("swath_order", key.first, plan_.plane.to_local(swaths[i].second->line.front()),
                              {1.0 * swaths[i].second->order, 1.0 * static_cast<double>(i) + 1},
                              "swath " + swaths[i].second->id + " is said to be number " +
-                                 std::to_string(swaths[i].second->order) + " of its block, and driven as number " +
-                                 std::to_string(i + 1));
+                                 std::to_string(swaths[i].second->order) +
+                                 " of its block, and driven as number " + std::to_string(i + 1));
     }
   }
 

@@ -66,9 +66,10 @@ class RobotCheck {
   void tell(const Driven& a, const Driven& b, const Pose& pose, double t_s, double apart) {
     const double gap = plan_.vehicle.machine.safety_gap_m;
     plan_.findings.add("robots_too_close", a.record->block, pose.at, {apart, gap},
-                       "robots " + std::to_string(b.record->robot) + " and " + std::to_string(a.record->robot) +
-                           " come within " + shown(apart, 3) + " m of each other at " + shown(t_s, 1) +
-                           " s; at least " + shown(gap, 3) + " m are asked for");
+                       "robots " + std::to_string(b.record->robot) + " and " +
+                           std::to_string(a.record->robot) + " come within " + shown(apart, 3) +
+                           " m of each other at " + shown(t_s, 1) + " s; at least " + shown(gap, 3) +
+                           " m are asked for");
   }
 
   Case& plan_;

@@ -18,10 +18,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 class SampleCheck {
  public:
   SampleCheck(Case& plan, Driven& driven)
-      : plan_{plan},
-        driven_{driven},
-        record_{*driven.record},
-        at_{plan.plane.to_local(record_.line)} {}
+      : plan_{plan}, driven_{driven}, record_{*driven.record}, at_{plan.plane.to_local(record_.line)} {}
 
   void run() {
     if (record_.line.size() < 2) return;
@@ -60,7 +57,8 @@ class SampleCheck {
     }
     const double off = distance_m(driven_.spot(way).at, at_[i]);
     if (!(off <= kPlace_m)) {
-      say("sample_place", i, {off, 1e-3}, "lies " + shown(off, 4) + " m off where its pieces and speeds lead");
+      say("sample_place", i, {off, 1e-3},
+          "lies " + shown(off, 4) + " m off where its pieces and speeds lead");
       way = nearest(i, led);
     }
     driven_.moments.push_back({record_.t_s[i], speed(i), snapped(way)});
@@ -95,7 +93,8 @@ class SampleCheck {
   [[nodiscard]] bool of_some_piece(std::size_t i, Fits fits) const {
     const double way = driven_.moments[i].way_m;
     const auto& begin = driven_.begin_m;
-    auto piece = static_cast<std::size_t>(std::lower_bound(begin.begin(), begin.end(), way - kNear_m) - begin.begin());
+    auto piece =
+        static_cast<std::size_t>(std::lower_bound(begin.begin(), begin.end(), way - kNear_m) - begin.begin());
     piece = piece == 0 ? 0 : piece - 1;
     for (; piece < driven_.pieces.size() && begin[piece] <= way + kNear_m; ++piece) {
       const PieceLine& line = driven_.pieces[piece];
@@ -194,7 +193,8 @@ class SampleCheck {
           rested += driven_.moments[i].t_s - driven_.moments[i - 1].t_s;
       if (rested < asked - 2e-3)
         say("rest", std::min(i, at_.size()) - 1, {rested, asked},
-            "ends a rest of " + shown(rested, 2) + " s, shorter than the " + shown(asked, 2) + " s asked for");
+            "ends a rest of " + shown(rested, 2) + " s, shorter than the " + shown(asked, 2) +
+                " s asked for");
     }
   }
 

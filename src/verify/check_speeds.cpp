@@ -48,7 +48,8 @@ class SpeedCheck {
       const Moment& b = driven_.moments[i];
       gain(a, b);
       while (piece + 1 < driven_.pieces.size() && driven_.begin_m[piece + 1] <= a.way_m) ++piece;
-      for (std::size_t p = piece; p < driven_.pieces.size() && driven_.begin_m[p] < b.way_m; ++p) part(p, a, b);
+      for (std::size_t p = piece; p < driven_.pieces.size() && driven_.begin_m[p] < b.way_m; ++p)
+        part(p, a, b);
     }
   }
 

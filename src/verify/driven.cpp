@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 namespace selion::verifying {
@@ -34,15 +34,13 @@ PieceLine::PieceLine(const PieceRecord& record) : record_{&record} {
 }
 
 double PieceLine::angle(double s_m) const {
-  return record_->heading_rad +
-         (record_->curvature_per_m + record_->sharpness_per_m2 * s_m / 2) * s_m;
+  return record_->heading_rad + (record_->curvature_per_m + record_->sharpness_per_m2 * s_m / 2) * s_m;
 }
 
 Point PieceLine::from(Point at, double from_m, double to_m) const {
   if (straight()) return at + (to_m - from_m) * unit(record_->heading_rad);
   const double half = (to_m - from_m) / 2;
-  for (const auto& [node, weight] : kNodes)
-    at = at + half * weight * unit(angle(from_m + half * (1 + node)));
+  for (const auto& [node, weight] : kNodes) at = at + half * weight * unit(angle(from_m + half * (1 + node)));
   return at;
 }
 
@@ -110,8 +108,8 @@ Driven driven_of(const TrajectoryRecord& record) {
 
 double time_s(const Driven& driven, double way_m) {
   const auto& moments = driven.moments;
-  const auto after = std::partition_point(moments.begin(), moments.end(),
-                                          [&](const Moment& m) { return m.way_m < way_m; });
+  const auto after =
+      std::partition_point(moments.begin(), moments.end(), [&](const Moment& m) { return m.way_m < way_m; });
   if (after == moments.begin()) return moments.front().t_s;
   if (after == moments.end()) return moments.back().t_s;
   const Moment& a = *(after - 1);
@@ -125,8 +123,8 @@ double time_s(const Driven& driven, double way_m) {
 
 double way_m(const Driven& driven, double t_s) {
   const auto& moments = driven.moments;
-  const auto after = std::partition_point(moments.begin(), moments.end(),
-                                          [&](const Moment& m) { return m.t_s <= t_s; });
+  const auto after =
+      std::partition_point(moments.begin(), moments.end(), [&](const Moment& m) { return m.t_s <= t_s; });
   if (after == moments.begin()) return moments.front().way_m;
   if (after == moments.end()) return moments.back().way_m;
   const Moment& a = *(after - 1);

@@ -30,8 +30,8 @@ GEOSCoordSequence* sequence_of(std::span<const Point> points, bool closed) {
   numbers.reserve(2 * points.size() + 2);
   for (const Point p : points) numbers.insert(numbers.end(), {p.x_m, p.y_m});
   if (closed && !points.empty()) numbers.insert(numbers.end(), {points.front().x_m, points.front().y_m});
-  return GEOSCoordSeq_copyFromBuffer_r(handle(), numbers.data(),
-                                       static_cast<unsigned>(numbers.size() / 2), 0, 0);
+  return GEOSCoordSeq_copyFromBuffer_r(handle(), numbers.data(), static_cast<unsigned>(numbers.size() / 2), 0,
+                                       0);
 }
 
 GEOSGeometry* ring_of(std::span<const Point> corners) {
@@ -89,8 +89,10 @@ Shape line_through(std::span<const Point> points) {
   return held(GEOSGeom_createLineString_r(handle(), sequence_of(points, false)));
 }
 
+bool is_valid(const Shape& shape) { return shape && GEOSisValid_r(handle(), shape.get()) == 1; }
+
 Shape made_valid(const Shape& shape) {
-  if (!shape || GEOSisValid_r(handle(), shape.get()) == 1) return shape;
+  if (!shape || is_valid(shape)) return shape;
   return held(GEOSMakeValid_r(handle(), shape.get()));
 }
 
@@ -201,9 +203,10 @@ std::vector<Shape> parts_of(const Shape& shape) {
 }
 
 Prepared::Prepared(Shape shape)
-    : shape_{std::move(shape)}, prepared_{GEOSPrepare_r(handle(), shape_.get()), [](const GEOSPreparedGeometry* p) {
-                                            if (p != nullptr) GEOSPreparedGeom_destroy_r(handle(), p);
-                                          }} {}
+    : shape_{std::move(shape)},
+      prepared_{GEOSPrepare_r(handle(), shape_.get()), [](const GEOSPreparedGeometry* p) {
+                  if (p != nullptr) GEOSPreparedGeom_destroy_r(handle(), p);
+                }} {}
 
 bool Prepared::touches(std::span<const Point> corners) const {
   return GEOSPreparedIntersects_r(handle(), prepared_.get(), simple(corners).get()) != 0;

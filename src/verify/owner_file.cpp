@@ -65,7 +65,8 @@ void add_parts(OwnerFeature& feature, OGRGeometryH geometry, OGRCoordinateTransf
 }
 
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -73,14 +74,16 @@ std::string lower(std::string text) {
 std::string attribute(OGRFeatureH feature, std::string_view name) {
   for (int i = 0; i < SELION_OGR(OGR_F_GetFieldCount)(feature); ++i) {
     const OGRFieldDefnH field = SELION_OGR(OGR_F_GetFieldDefnRef)(feature, i);
-    if (lower(SELION_OGR(OGR_Fld_GetNameRef)(field)) == name && SELION_OGR(OGR_F_IsFieldSetAndNotNull)(feature, i) != 0)
+    if (lower(SELION_OGR(OGR_Fld_GetNameRef)(field)) == name &&
+        SELION_OGR(OGR_F_IsFieldSetAndNotNull)(feature, i) != 0)
       return SELION_OGR(OGR_F_GetFieldAsString)(feature, i);
   }
   return {};
 }
 
 std::string name_of(OGRFeatureH feature) {
-  for (const std::string_view name : {"name", "field", "field_name", "fieldname", "title", "label", "id", "uid", "fid"})
+  for (const std::string_view name :
+       {"name", "field", "field_name", "fieldname", "title", "label", "id", "uid", "fid"})
     if (std::string found = attribute(feature, name); !found.empty()) return found;
   return {};
 }
@@ -113,7 +116,8 @@ void add_layer(std::vector<OwnerFeature>& features, OGRLayerH layer) {
   while (OGRFeatureH raw = next(layer)) {
     const std::unique_ptr<void, void (*)(void*)> held{raw, destroy};
     OwnerFeature feature{name_of(raw), attribute(raw, "selion"), ++number, {}};
-    if (layer_name == "obstacles" || layer_name == "no_go" || layer_name == "water") feature.what = layer_name;
+    if (layer_name == "obstacles" || layer_name == "no_go" || layer_name == "water")
+      feature.what = layer_name;
     OGRGeometryH geometry = SELION_OGR(OGR_F_GetGeometryRef)(raw);
     const std::unique_ptr<void, void (*)(void*)> straight{
         geometry == nullptr ? nullptr : SELION_OGR(OGR_G_GetLinearGeometry)(geometry, 0.5, nullptr),
@@ -139,7 +143,8 @@ std::vector<OwnerFeature> read_owner_file(const GivenField& given) {
     OGRLayerH layer = SELION_OGR(GDALDatasetGetLayer)(data.get(), i);
     if (!given.layer || *given.layer == SELION_OGR(OGR_L_GetName)(layer)) add_layer(features, layer);
   }
-  if (features.empty()) throw InputError{file + ": there is no polygon in it" + (given.layer ? " in layer " + *given.layer : "")};
+  if (features.empty())
+    throw InputError{file + ": there is no polygon in it" + (given.layer ? " in layer " + *given.layer : "")};
   return features;
 }
 

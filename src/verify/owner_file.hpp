@@ -11,8 +11,8 @@ namespace selion::verifying {
 
 /// A polygon feature of a file, in WGS84, as OGR gives it.
 struct OwnerFeature {
-  std::string name;  ///< of the first attribute that reads like one; else empty
-  std::string what;  ///< its attribute `selion`: "obstacle", "no_go", "water" ...; of a field empty
+  std::string name;      ///< of the first attribute that reads like one; else empty
+  std::string what;      ///< its attribute `selion`: "obstacle", "no_go", "water" ...; of a field empty
   long long number = 0;  ///< from 1 in its layer
   std::vector<LonLatArea> parts;
 };

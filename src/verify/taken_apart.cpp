@@ -77,10 +77,12 @@ void TakenApart::check_frame() {
 void TakenApart::check_trajectories() {
   const PlanFile& file = case_.plan;
   const std::size_t blocks = file.fields.empty() ? 0 : file.fields.front().parts.size();
-  if (file.trajectories.empty()) findings_.add("no_trajectory", 0, std::nullopt, {}, "the file has no trajectory");
+  if (file.trajectories.empty())
+    findings_.add("no_trajectory", 0, std::nullopt, {}, "the file has no trajectory");
   std::set<std::pair<int, int>> seen;
   for (const TrajectoryRecord& t : file.trajectories) {
-    const std::string name = "the trajectory of robot " + std::to_string(t.robot) + " in block " + std::to_string(t.block);
+    const std::string name =
+        "the trajectory of robot " + std::to_string(t.robot) + " in block " + std::to_string(t.block);
     if (t.block < 1 || static_cast<std::size_t>(t.block) > blocks)
       refuse("block", name + " belongs to no block of the field");
     if (!seen.emplace(t.block, t.robot).second) refuse("block", name + " is there twice");
@@ -92,7 +94,8 @@ void TakenApart::check_trajectories() {
     const double wide = vehicle_.machine.working_width_m;
     if (!(std::abs(t.working_width_m - wide) <= 1e-3))
       findings_.add("line_width", t.block, std::nullopt, {t.working_width_m, wide},
-                    name + " is said to work " + shown(t.working_width_m, 3) + " m, the tool is " + shown(wide, 3) + " m wide");
+                    name + " is said to work " + shown(t.working_width_m, 3) + " m, the tool is " +
+                        shown(wide, 3) + " m wide");
   }
 }
 

@@ -102,12 +102,11 @@ Vehicle vehicle_of(const std::string& job_json, std::string& trouble) {
   vehicle.water_margin_m = reader.number("field", "water_margin_m");
   const Machine& m = vehicle.machine;
   constexpr double kDegree = std::numbers::pi / 180;
-  vehicle.most_curvature_per_m = m.min_turn_radius_m ? 1 / *m.min_turn_radius_m
-                                                     : std::tan(m.max_steer_deg * kDegree) / m.wheelbase_m;
+  vehicle.most_curvature_per_m =
+      m.min_turn_radius_m ? 1 / *m.min_turn_radius_m : std::tan(m.max_steer_deg * kDegree) / m.wheelbase_m;
   vehicle.most_working_curvature_per_m = vehicle.most_curvature_per_m;
   if (m.min_work_radius_m)
-    vehicle.most_working_curvature_per_m =
-        std::min(vehicle.most_curvature_per_m, 1 / *m.min_work_radius_m);
+    vehicle.most_working_curvature_per_m = std::min(vehicle.most_curvature_per_m, 1 / *m.min_work_radius_m);
   vehicle.most_steering_rad_s = m.max_steer_rate_deg_s * kDegree;
   return vehicle;
 }

@@ -23,8 +23,8 @@ struct Vehicle {
 /// @returns the keys that are missing or no numbers in `trouble`; then the vehicle is not to be used.
 Vehicle vehicle_of(const std::string& job_json, std::string& trouble);
 
-/// How fast the steering moves (its angle is atan(L k); of a differential machine, L k itself) where a path of
-/// that curvature and sharpness is driven at that speed.
+/// How fast the steering moves (its angle is atan(L k); of a differential machine, L k itself) where a path
+/// of that curvature and sharpness is driven at that speed.
 double steering_rad_s(const Vehicle& vehicle, double curvature_per_m, double sharpness_per_m2,
                       double speed_mps);
 

@@ -30,7 +30,8 @@ std::vector<Candidate> spread_out(std::vector<Candidate> all) {
   std::vector<Candidate> kept;
   for (const Candidate& c : all) {
     if (kept.size() == kMost) break;
-    const bool near = std::ranges::any_of(kept, [&](const Candidate& k) { return distance_m(k.at, c.at) < kApart_m; });
+    const bool near =
+        std::ranges::any_of(kept, [&](const Candidate& k) { return distance_m(k.at, c.at) < kApart_m; });
     if (!near) kept.push_back(c);
   }
   return kept;
@@ -40,8 +41,9 @@ std::vector<Candidate> spread_out(std::vector<Candidate> all) {
 std::vector<Point> outline_at(const Machine& m, const Pose& pose) {
   const double body = m.body_width_m / 2;
   const double tool = m.working_width_m / 2;
-  return {placed(pose, {-m.rear_m, -body}), placed(pose, {m.front_m, -body}), placed(pose, {m.front_m, body}),
-          placed(pose, {-m.rear_m, body}), placed(pose, {m.tool_x_m, tool}), placed(pose, {m.tool_x_m, -tool})};
+  return {placed(pose, {-m.rear_m, -body}), placed(pose, {m.front_m, -body}),
+          placed(pose, {m.front_m, body}),  placed(pose, {-m.rear_m, body}),
+          placed(pose, {m.tool_x_m, tool}), placed(pose, {m.tool_x_m, -tool})};
 }
 
 /// Nearest of what stands around: the border, or a hole or obstacle in it.
@@ -68,7 +70,8 @@ double nearest_m(const Prepared& to, const std::vector<Point>& outline) {
   return std::min(body, to.distance_m(std::span{outline}.last(2)));
 }
 
-void add_approaches(std::vector<Candidate>& all, const Case& plan, const Driven& driven, const Ground& ground) {
+void add_approaches(std::vector<Candidate>& all, const Case& plan, const Driven& driven,
+                    const Ground& ground) {
   constexpr double kStep_m = 0.5;
   const Surroundings surroundings = around(ground);
   const int steps = std::max(1, static_cast<int>(std::ceil(driven.whole_m() / kStep_m)));
@@ -87,7 +90,8 @@ void add_bends(std::vector<Candidate>& all, const Driven& driven) {
   for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
     const PieceLine& piece = driven.pieces[i];
     if (piece.straight() || !(piece.length_m() > 0)) continue;
-    const bool first = std::abs(piece.curvature_per_m(0)) >= std::abs(piece.curvature_per_m(piece.length_m()));
+    const bool first =
+        std::abs(piece.curvature_per_m(0)) >= std::abs(piece.curvature_per_m(piece.length_m()));
     const double s = first ? 0 : piece.length_m();
     all.push_back({1 / piece.most_curvature_per_m(), piece.spot(s).at, driven.begin_m[i] + piece.driven_m(s),
                    &driven, i, false});
@@ -95,8 +99,12 @@ void add_bends(std::vector<Candidate>& all, const Driven& driven) {
 }
 
 WatchPlace place_of(const Case& plan, const Candidate& c, std::string what) {
-  return {std::move(what), c.driven->record->block, c.driven->record->robot, plan.plane.to_lonlat(c.at),
-          c.driven->moments.empty() ? 0 : time_s(*c.driven, c.way_m), c.measure_m};
+  return {std::move(what),
+          c.driven->record->block,
+          c.driven->record->robot,
+          plan.plane.to_lonlat(c.at),
+          c.driven->moments.empty() ? 0 : time_s(*c.driven, c.way_m),
+          c.measure_m};
 }
 
 }  // namespace

@@ -56,11 +56,19 @@ struct BlockReport {
   friend bool operator==(const BlockReport&, const BlockReport&) = default;
 };
 
+/// What the independent check (verify) said of the plan file.
+struct Verification {
+  std::vector<std::string> faults;  ///< none: it passed
+
+  friend bool operator==(const Verification&, const Verification&) = default;
+};
+
 struct Plan {
   PlanFile file;
   std::vector<BlockReport> blocks;
-  std::vector<std::string> notes;        ///< repairs, choices made, parts left out
-  std::vector<std::string> assumptions;  ///< machine, flat ground, boundary accuracy, datum
+  std::vector<std::string> notes;            ///< repairs, choices made, parts left out
+  std::vector<std::string> assumptions;      ///< machine, flat ground, boundary accuracy, datum
+  std::optional<Verification> verification;  ///< set by whoever had it verified
 
   friend bool operator==(const Plan&, const Plan&) = default;
 };
