@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "field_samples.hpp"
+#include "selion/core/error.hpp"
+#include "selion/plan/job_file.hpp"
+#include "selion/plan/plan.hpp"
+#include "selion/verify/verify.hpp"
+#include "verify_mutants.hpp"
+
+using namespace selion;
+
+namespace {
+
+std::string text_of(const Verdict& verdict) {
+  std::string text;
+  for (const Finding& finding : verdict.findings) text += finding.code + ": " + finding.what + "\n";
+  return text;
+}
+
+/// As whoever drives it reads it.
+PlanFile written(const Field& field, const std::string& job) {
+  const auto planned = plan(field, job_of(settings_of_toml(job, "test")), Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  return plan_from_geojson(to_geojson(planned->file), "test");
+}
+
+Field sample(const std::string& name) {
+  return read_file(std::filesystem::path{SELION_DATA_DIR} / "fields" / name).at(0);
+}
+
+Field small_field() { return field_of_metres({{{{0, 0}, {62, 3}, {58, 44}, {30, 50}, {-4, 41}}, {}}}); }
+Field holed_field() {
+  return field_of_metres(
+      {{{{0, 0}, {70, 0}, {70, 50}, {0, 50}}, {{{30, 20}, {30, 28}, {38, 28}, {38, 20}}}}});
+}
+Field two_blocks() {
+  return field_of_metres(
+      {{{{0, 0}, {40, 0}, {40, 30}, {0, 30}}, {}}, {{{50, 0}, {90, 0}, {90, 35}, {50, 35}}, {}}});
+}
+
+/// Valid plans of several kinds, small so that a thousand mutants are soon checked.
+std::vector<PlanFile> originals() {
+  const std::string robot = "[machine]\npreset = \"robot-3m\"\n";
+  return {written(small_field(), robot),
+          written(holed_field(), robot + "run_in_m = 2\ntool_lower_s = 2\ntool_raise_s = 1\n"),
+          written(two_blocks(), robot),
+          written(small_field(), "[machine]\npreset = \"p3\"\nmay_reverse = false\n"),
+          written(holed_field(), "[machine]\npreset = \"husky\"\nmay_pivot = true\n"),
+          written(small_field(), robot + "[headland]\ncorners = \"fill\"\norder = \"first\"\n")};
+}
+
+struct Score {
+  int mutants = 0;
+  int rejected = 0;  ///< with a right code
+};
+
+void score(const PlanFile& original, const Mutation& mutation, std::uint64_t seed, Score& score) {
+  PlanFile mutant = original;
+  Dice dice{seed};
+  if (!mutation.apply(mutant, dice) || mutant == original) return;
+  ++score.mutants;
+  const Verdict verdict = verify(mutant, std::nullopt);
+  const bool right = std::ranges::any_of(verdict.findings, [&](const Finding& finding) {
+    return std::ranges::find(mutation.codes, finding.code) != mutation.codes.end();
+  });
+  score.rejected += right ? 1 : 0;
+  if (!right)
+    std::printf("%s, seed %d: %s\n", mutation.name, static_cast<int>(seed),
+                verdict.findings.empty() ? "not rejected" : text_of(verdict).c_str());
+}
+
+}  // namespace
+
+TEST_CASE("every plan of ours passes the independent check", "[verify]") {
+  const auto name =
+      GENERATE("f1.geojson", "f6.geojson", "l_shape.geojson", "with_pond.geojson", "pole.geojson",
+               "gates_obstacles.geojson", "narrow_neck.geojson", "two_parts.geojson");
+  const std::string machine = GENERATE("robot-3m", "tractor-6m", "husky");
+  const std::string corners = GENERATE("round", "fill");
+  CAPTURE(name, machine, corners);
+  const Field field = sample(name);
+  const std::string job =
+      "[machine]\npreset = \"" + machine + "\"\n[headland]\ncorners = \"" + corners + "\"\n";
+  const auto planned = plan(field, job_of(settings_of_toml(job, "test")), Repair::notes_only, no_progress);
+  if (!planned) return;  // narrower than the tractor needs
+  const PlanFile file = plan_from_geojson(to_geojson(planned->file), "test");
+  const GivenField given{std::filesystem::path{SELION_DATA_DIR} / "fields" / name, std::nullopt,
+                         std::nullopt};
+  const Verdict verdict = verify(file, given);
+  CHECK(text_of(verdict) == "");
+  CHECK(verdict.covered_m2 > 0.5 * verdict.area_m2);
+}
+
+TEST_CASE("of a thousand broken plans at least 99 % are rejected with the right code", "[verify]") {
+  Score all;
+  std::map<std::string, Score> by_name;
+  const std::vector<PlanFile> plans = originals();
+  for (const PlanFile& original : plans) CHECK(text_of(verify(original, std::nullopt)) == "");
+  for (const auto family : {mutations_of_pieces(), mutations_of_samples(), mutations_of_records()})
+    for (const Mutation& mutation : family)
+      for (std::size_t i = 0; i < plans.size(); ++i)
+        for (std::uint64_t seed = 0; seed < 3; ++seed) {
+          Score one;
+          score(plans[i], mutation, 100 * i + seed, one);
+          all.mutants += one.mutants, all.rejected += one.rejected;
+          by_name[mutation.name].mutants += one.mutants;
+        }
+  std::printf("%d mutants in %zu ways, %d rejected with the right code\n", all.mutants, by_name.size(),
+              all.rejected);
+  CHECK(by_name.size() >= 40);
+  for (const auto& [name, tried] : by_name) {
+    CAPTURE(name);
+    CHECK(tried.mutants > 0);
+  }
+  CHECK(all.mutants >= 1000);
+  CHECK(all.rejected >= 0.99 * all.mutants);
+}
+
+TEST_CASE("a plan is held against its owner's field", "[verify]") {
+  const PlanFile plan = written(sample("with_pond.geojson"), "");
+  const auto against = [&](const char* name) {
+    return verify(plan, GivenField{std::filesystem::path{SELION_DATA_DIR} / "fields" / name, std::nullopt,
+                                   std::nullopt});
+  };
+  CHECK(text_of(against("with_pond.geojson")) == "");
+  CHECK(text_of(against("f1.zip")) != "");
+  CHECK_THROWS_AS(against("SOURCES.md"), InputError);
+}
+
+TEST_CASE("the list of places to look at names ten approaches and ten bends", "[verify]") {
+  const WatchList list = watch_list(written(sample("with_pond.geojson"), ""));
+  REQUIRE(list.closest.size() == 10);
+  REQUIRE(list.tightest.size() == 10);
+  for (std::size_t i = 1; i < 10; ++i) {
+    CHECK(list.closest[i - 1].measure_m <= list.closest[i].measure_m);
+    CHECK(list.tightest[i - 1].measure_m <= list.tightest[i].measure_m);
+  }
+  CHECK(list.closest[0].measure_m > -0.011);
+  CHECK(list.tightest[0].measure_m == Approx(1.8).margin(1e-3));  // tan(45 degrees) / 1.8 m
+}
