@@ -11,6 +11,7 @@ every plan has are left out. Where there is no plan, nothing may be written; `in
 """
 import json
 import pathlib
+import resource
 import shlex
 import subprocess
 import sys
@@ -28,6 +29,12 @@ def run(*arguments):
     except subprocess.TimeoutExpired:
         return None, f"still running after {HANGS_S} s"
     return done.returncode, done.stderr.decode("utf-8")
+
+
+def cpu_s():
+    """Of all runs so far: on a busy machine the clock on the wall says little."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def said(stderr, file):
@@ -54,13 +61,16 @@ class Checker:
     def __init__(self, selion, fields, scratch):
         self.selion, self.fields, self.scratch = selion, fields, scratch
         self.plans = {}
+        self.slowest = (0, "-")
 
     def plan(self, name, options=()):
         """Status, standard error and figures; a name without a folder is among the broken files."""
         if (name, *options) not in self.plans:
             file = self.fields / (name if name.startswith("public/") else f"invalid/{name}")
             out = self.scratch / str(len(self.plans))
+            before = cpu_s()
             status, stderr = run(self.selion, "plan", file, "-o", out, *options)
+            self.slowest = max(self.slowest, (cpu_s() - before, name))
             if status not in (0, 4) and out.exists():
                 stderr += "\nsomething was written all the same"
             self.plans[(name, *options)] = status, said(stderr, file), figures(out)
@@ -104,7 +114,8 @@ def main():
     missing = sorted(known - {row[0] for row in rows})
     if missing:
         print("not in the table:", *missing)
-    print(f"invalid: {len(rows)} runs, {failures} faults")
+    print(f"invalid: {len(rows)} runs, {failures} faults, the slowest plan {checker.slowest[0]:.2f} s of CPU: "
+          f"{checker.slowest[1]}")
     return 1 if failures or missing else 0
 
 

@@ -238,9 +238,11 @@ TEST_CASE("a mirrored field has a mirrored plan", "[property]") {
   // headland's mitred corners on them amplify that: where a swath grazes one its end is up to 5 cm apart.
   // Headland passes go round the same way in both, so their corners leave other ground. What a rounded corner
   // leaves is like itself about its bisector: the pocket piece in it may lie along either side.
-  const Tolerance tolerance{.line_m = 0.05, .covered_share = 3e-4, .pockets = false};
-  for (const Sample& sample : samples())
+  for (const Sample& sample : samples()) {
+    const Tolerance tolerance{
+        .line_m = sample.field.area.holes.empty() ? 0.01 : 0.05, .covered_share = 3e-4, .pockets = false};
     check_same(sample, outcome_of(moved(sample.field.area, mirror)), mirror, tolerance);
+  }
 }
 
 TEST_CASE("one hole more never raises the covered area", "[property]") {
