@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A polygon of up to 24 corners with up to 2 holes within 150 m, planned with the 3 m robot; the plan's
+// A polygon of up to 24 corners with up to 2 holes within 100 m, planned with the 3 m robot; the plan's
 // checks follow.
 #include "selion/plan/plan.hpp"
 
@@ -17,7 +17,7 @@ using namespace selion;
 
 namespace {
 
-constexpr double kWidest_m = 150;
+constexpr double kWidest_m = 100;
 
 double metres(FuzzedDataProvider& bytes, double most_m) {
   return bytes.ConsumeIntegral<std::uint16_t>() * most_m / 65535;
