@@ -173,6 +173,19 @@ TEST_CASE("a hole on the border becomes a notch of it", "[field][clean]") {
   check_clean(blocks);
 }
 
+TEST_CASE("a hole whose corner reaches out by less than 1 cm is cut there, and that is said",
+          "[field][clean]") {
+  const auto with = [](double corner_x_m) {
+    const Ring hole{{80, 40}, {80, 60}, {corner_x_m, 50}};
+    return blocks_of(field_of_metres({{rectangle(0, 0, 100, 100), {hole}}}));
+  };
+  CHECK(any_mentions(with(100.004).notes, "ring 2 is a hole that reaches out of its part by less than 1 cm"));
+  CHECK(with(99.9).notes.empty());
+  CHECK(with(100).notes.empty());
+  CHECK(area_m2(with(100.004).blocks.front().area) == Approx(9800).margin(0.05));
+  check_clean(with(100.004));
+}
+
 TEST_CASE("parts that share a border are joined, parts that overlap are refused, parts apart are blocks",
           "[field][clean]") {
   const Field touching = field_of_metres({{rectangle(0, 0, 50, 100), {}}, {rectangle(50, 0, 100, 100), {}}});

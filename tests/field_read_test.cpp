@@ -44,6 +44,37 @@ LonLatRing corners(const std::string& text, const ReadOptions& options) {
 
 }  // namespace
 
+TEST_CASE("a position that is none is named by ring and coordinate", "[field][read]") {
+  const std::string message = error_of(
+      [] { read_stdin(R"({"type":"Polygon","coordinates":[[[9,50],[9.1,50],[9.1,null],[9,50]]]})"); });
+  CHECK(message ==
+        "standard input, part 1, ring 1, coordinate 3: a position needs two numbers, and has [9.1,null]; "
+        "correct "
+        "the file");
+}
+
+TEST_CASE("a file without polygons says what it has instead", "[field][read]") {
+  const auto with = [](const std::string& geometry) { return error_of([&] { read_stdin(geometry); }); };
+  CHECK(mentions(with(R"({"type":"Point","coordinates":[9,50]})"), "only points"));
+  CHECK(mentions(with(R"({"type":"LineString","coordinates":[[9,50],[9.1,50]]})"), "only lines"));
+  // walked round, but not back to the very first position
+  CHECK(mentions(with(R"({"type":"LineString","coordinates":[[9,50],[9.01,50],[9.01,50.01],[9,50.01]]})"),
+                 "feature 1 is a line around an area"));
+  CHECK(mentions(with(R"({"type":"LineString","coordinates":[[9,50],[9.01,50],[9.02,50],[9.03,50]]})"),
+                 "only lines"));
+}
+
+TEST_CASE("thousands of namesakes are numbered without delay", "[field][read]") {
+  std::vector<std::string> features;
+  for (int i = 0; i < 20000; ++i) features.push_back(feature(kSquare, R"({"name":"Hof"})"));
+  features.push_back(feature(kSquare, R"x({"name":"Hof (2)"})x"));
+  ReadOptions options;
+  options.field = "20000";
+  CHECK(read_stdin(collection(features), options).front().name == "Hof (20000)");
+  options.field = "20001";
+  CHECK(read_stdin(collection(features), options).front().name == "Hof (2) (2)");
+}
+
 TEST_CASE("fields are named by their attributes, and namesakes are numbered", "[field][read]") {
   const auto fields = read_stdin(
       collection({feature(kSquare, R"({"NAME":"Hof"})"), feature(shifted(0.01), R"({"name":"Hof"})"),

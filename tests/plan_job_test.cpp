@@ -141,6 +141,12 @@ TEST_CASE("numbers far out of range are refused with the range and the place", "
   }
 }
 
+TEST_CASE("whole numbers that no double holds exactly are out of range like others", "[plan]") {
+  CHECK_THAT(refusal("[headland]\npasses = 444444444444444442"), Contains("job.toml:2:1"));
+  CHECK_THAT(refusal("[machine]\nworking_width_m = 9223372036854775807"), Contains("job.toml:2:1"));
+  CHECK_THAT(refusal("[layout]\nab = [9007199254740993, 50, 10, 50]"), Contains("job.toml:2:1"));
+}
+
 TEST_CASE("a preset brings its margins, and the job's own win", "[plan]") {
   CHECK(job_from("[machine]\npreset = 'p3'").field.edge_margin_m == 0.05);
   CHECK(job_from("[machine]\npreset = 'p3'\n[field]\nedge_margin_m = 0.2").field.edge_margin_m == 0.2);

@@ -6,6 +6,7 @@
 #   tools/install-deps.sh --test     and what its tests need
 #   tools/install-deps.sh --lint     and what the linters need
 #   tools/install-deps.sh --bench    and what the benchmarks need
+#   tools/install-deps.sh --fuzz     and what the fuzz targets need
 #   --print                          only name the missing packages
 set -eu
 
@@ -19,9 +20,10 @@ for option; do
     --test) wanted="$wanted catch2 libpugixml-dev poppler-utils python3" ;;
     --lint) wanted="$wanted clang-format clang-tidy clang-tools python3" ;;
     --bench) wanted="$wanted libbenchmark-dev" ;;
+    --fuzz) wanted="$wanted clang libclang-rt-dev" ;;
     --print) print_only=yes ;;
     *)
-      sed -n '3,9s/^# \{0,1\}//p' "$0" >&2
+      sed -n '3,10s/^# \{0,1\}//p' "$0" >&2
       exit 2
       ;;
   esac

@@ -192,20 +192,24 @@ class Cleaner {
         refuse(hole.name + " is a hole, and shares " + square_metres(area_m2(twice)) + " with another hole" +
                    near(twice.front().shell.front()),
                "correct the holes", "both are taken off");
-      if (inside && !area.empty()) note_notch(area, filled, hole.name);
+      if (inside && !area.empty()) note_notch(area, filled, outside, hole.name);
       off.insert(off.end(), area.begin(), area.end());
       result_.holes.insert(result_.holes.end(), area.begin(), area.end());
     }
     return subtract(filled, off);
   }
 
-  /// Holes that share a stretch of the border come out as notches of it.
-  void note_notch(const Polygons& hole, const Polygons& filled, const std::string& name) {
+  /// Holes that share a stretch of the border come out as notches of it; so do those that reach out a little.
+  void note_notch(const Polygons& hole, const Polygons& filled, const Polygons& outside,
+                  const std::string& name) {
     constexpr double kReach_m = 2e-3;
     constexpr double kStretch_m2 = 5e-5;  // 2 cm of border; a hole that touches at a point stays a hole
     if (area_m2(subtract(outset_round(hole, kReach_m), filled)) > kStretch_m2)
       note(name + " is a hole on the border" + near(hole.front().shell.front()) +
            ", and is taken off as a notch");
+    else if (!outside.empty())
+      note(name + " is a hole that reaches out of its part by less than 1 cm" +
+           near(outside.front().shell.front()) + ", and is cut there");
   }
 
   void check_overlapping_parts() {

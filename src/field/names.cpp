@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <set>
 
 #include "selion/core/error.hpp"
@@ -52,13 +53,15 @@ std::vector<std::string> unique_names(const std::vector<const RawFeature*>& feat
                                       const std::string& stem) {
   std::vector<std::string> names;
   std::set<std::string> taken;
+  std::map<std::string, int> last;  // number that a namesake got: counted on from there
   for (const RawFeature* feature : features) {
     const auto own = name_of(*feature);
     std::string name = own                    ? *own
                        : features.size() == 1 ? stem
                                               : stem + " " + std::to_string(feature->number);
     const std::string base = name;
-    for (int again = 2; !taken.insert(name).second; ++again) name = base + " (" + std::to_string(again) + ")";
+    for (int& again = last.try_emplace(base, 1).first->second; !taken.insert(name).second;)
+      name = base + " (" + std::to_string(++again) + ")";
     names.push_back(std::move(name));
   }
   return names;

@@ -104,8 +104,10 @@ class Geometry {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError{where_ + ": " + what + "; correct the file"};
+  [[noreturn]] void fail(const std::string& what) const { fail("", what); }
+  /// `at`: ", ring 1, coordinate 2"
+  [[noreturn]] void fail(const std::string& at, const std::string& what) const {
+    throw InputError{where_ + at + ": " + what + "; correct the file"};
   }
 
   const Json& array(const Json& object, const char* key) const {
@@ -117,7 +119,7 @@ class Geometry {
 
   void polygon(const Json& rings) {
     const std::string part = ", part " + std::to_string(into_.polygons.size() + 1);
-    if (!rings.is_array()) fail("its coordinates are nested too little for a polygon" + part);
+    if (!rings.is_array()) fail(part, "its coordinates are nested too little for a polygon");
     RawPolygon polygon;
     for (const Json& ring : rings)
       polygon.push_back(positions(ring, part + ", ring " + std::to_string(polygon.size() + 1)));
@@ -125,7 +127,7 @@ class Geometry {
   }
 
   [[nodiscard]] std::vector<RawPoint> positions(const Json& list, const std::string& where) const {
-    if (!list.is_array()) fail("coordinates are missing" + where);
+    if (!list.is_array()) fail(where, "coordinates are missing");
     std::vector<RawPoint> points;
     points.reserve(list.size());
     for (const Json& one : list)
@@ -134,11 +136,11 @@ class Geometry {
   }
 
   [[nodiscard]] RawPoint position(const Json& list, const std::string& where) const {
-    if (list.is_number()) fail("a list of positions has one level of brackets too few" + where);
+    if (list.is_number()) fail(where, "a list of positions has one level of brackets too few");
     if (!list.is_array() || list.size() < 2)
-      fail("a position needs two numbers, longitude and latitude" + where);
+      fail(where, "a position needs two numbers, longitude and latitude");
     if (!list[0].is_number() || !list[1].is_number())
-      fail("a position needs two numbers, and has " + list.dump().substr(0, 60) + where);
+      fail(where, "a position needs two numbers, and has " + list.dump().substr(0, 60));
     return {list[0].get<double>(), list[1].get<double>()};
   }
 

@@ -14,7 +14,9 @@ namespace {
 
 RawPoint first_position(const RawLayer& layer) {
   for (const RawFeature& feature : layer.features) {
-    if (!feature.polygons.empty()) return feature.polygons.front().front().front();
+    for (const RawPolygon& polygon : feature.polygons)
+      for (const RawRing& ring : polygon)
+        if (!ring.empty()) return ring.front();
     if (!feature.points.empty()) return feature.points.front();
     if (!feature.lines.empty() && !feature.lines.front().empty()) return feature.lines.front().front();
   }
@@ -88,6 +90,15 @@ bool holds_fields(Source& source) {
                      });
 }
 
+/// A line that comes back to where it starts, or as near as a side of it is long on average.
+bool is_boundary(const std::vector<RawPoint>& line) {
+  if (line.size() < 4) return false;
+  const auto length = [](RawPoint a, RawPoint b) { return std::hypot(b.x - a.x, b.y - a.y); };
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += length(line[i - 1], line[i]);
+  return length(line.front(), line.back()) <= sum / static_cast<double>(line.size() - 1);
+}
+
 std::string layer_names(const std::vector<Source>& sources) {
   std::string names;
   for (const Source& source : sources) names += (names.empty() ? "'" : ", '") + source.layer->name + "'";
@@ -145,13 +156,24 @@ std::vector<Source> sources_of(const RawFile& file, Reading& reading) {
 }
 
 void refuse_without_polygons(const RawFile& file) {
-  for (const RawLayer& layer : file.layers)
-    for (const RawFeature& feature : layer.features)
+  bool lines = false;
+  bool points = false;
+  for (const RawLayer& layer : file.layers) {
+    for (const RawFeature& feature : layer.features) {
+      lines = lines || !feature.lines.empty();
+      points = points || !feature.points.empty();
       for (const auto& line : feature.lines)
-        if (line.size() > 3 && line.front() == line.back())
+        if (is_boundary(line))
           throw InputError{file.label + " has no polygon: feature " + std::to_string(feature.number) +
-                           " is a closed line; save the boundary as a polygon"};
-  throw InputError{file.label + " has no polygon in it; give a file with the field's boundary as a polygon"};
+                           " is a line around an area; save the boundary as a polygon"};
+    }
+  }
+  const char* instead = lines && points ? ", only lines and points"
+                        : lines         ? ", only lines"
+                        : points        ? ", only points"
+                                        : "";
+  throw InputError{file.label + " has no polygon in it" + instead +
+                   "; give a file with the field's boundary as a polygon"};
 }
 
 }  // namespace selion

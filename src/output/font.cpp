@@ -7,7 +7,14 @@
 
 #include <pango/pangocairo.h>
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__has_feature)  // clang's way to ask
+#if __has_feature(address_sanitizer)
+#define SELION_ADDRESS_SANITIZER
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define SELION_ADDRESS_SANITIZER
+#endif
+#ifdef SELION_ADDRESS_SANITIZER
 // fontconfig 2.14 loses 288 bytes once, where it reads its own configuration; a check for leaks of ours must
 // not end there.
 extern "C" __attribute__((weak, visibility("default"))) const char*

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,17 +25,24 @@ toml::table parsed(std::string_view text, const std::string& where) {
   }
 }
 
+/// toml++ gives no double for whole numbers that a double cannot hold exactly: the nearest one will do, to be
+/// out of range.
+double number_of(const toml::node& node) {
+  const toml::value<std::int64_t>* whole = node.as_integer();
+  return whole != nullptr ? static_cast<double>(whole->get()) : *node.value<double>();
+}
+
 JobValue list_value(const toml::array& array, const std::string& at) {
   std::vector<double> numbers;
   for (const toml::node& element : array) {
     if (!element.is_number()) throw InputError{at + ": the list may hold numbers only"};
-    numbers.push_back(*element.value<double>());
+    numbers.push_back(number_of(element));
   }
   return numbers;
 }
 
 JobValue value_of(const toml::node& node, const std::string& at) {
-  if (node.is_number()) return *node.value<double>();
+  if (node.is_number()) return number_of(node);
   if (node.is_boolean()) return *node.value<bool>();
   if (node.is_string()) return *node.value<std::string>();
   if (const toml::array* array = node.as_array()) return list_value(*array, at);
