@@ -132,7 +132,8 @@ class InsideCheck {
     const bool hits = in_obstacle > 1e-6;
     plan_.findings.add(hits ? codes.obstacle : codes.border, driven_.record->block, at, {out, kInside_m},
                        "the " + name + " gets " + shown(out, 3) + " m out of the block" +
-                           (hits ? ", or nearer to an obstacle than allowed," : "") + " in " + piece_name(driven_, i));
+                           (hits ? ", or nearer to an obstacle than allowed," : "") + " in " +
+                           piece_name(driven_, i));
   }
 
   Case& plan_;

@@ -132,8 +132,9 @@ void add_layer(std::vector<OwnerFeature>& features, OGRLayerH layer) {
 std::vector<OwnerFeature> read_owner_file(const GivenField& given) {
   SELION_OGR(GDALAllRegister)();
   const std::string file = given.file.string();
+  const std::string opened = lower(given.file.extension().string()) == ".zip" ? "/vsizip/" + file : file;
   const std::unique_ptr<void, void (*)(void*)> data{
-      SELION_OGR(GDALOpenEx)(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr),
+      SELION_OGR(GDALOpenEx)(opened.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr),
       [](void* open) {
         if (open != nullptr) SELION_OGR(GDALClose)(open);
       }};

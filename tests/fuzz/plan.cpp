@@ -12,6 +12,7 @@
 #include "selion/core/error.hpp"
 #include "selion/core/units.hpp"
 #include "selion/field/frame.hpp"
+#include "selion/verify/verify.hpp"
 
 using namespace selion;
 
@@ -86,7 +87,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Field field = field_of(bytes);
   try {
     const auto planned = plan(field, job, repair, no_progress);
-    if (planned) check_reads_back(planned->file);
+    if (!planned) return 0;
+    check_reads_back(planned->file);
+    const Verdict verdict = verify(plan_from_geojson(to_geojson(planned->file), "fuzzed"), std::nullopt);
+    if (!verdict.findings.empty()) throw std::logic_error{verdict.findings.front().what};
   } catch (const InputError&) {  // said so
   }
   return 0;
