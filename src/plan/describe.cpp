@@ -98,14 +98,21 @@ void report_coverage(BlockReport& report, const Coverage& coverage, const LocalF
     report.uncovered.push_back({to_lonlat(frame, part), frame.to_lonlat(place_in(part)), area_m2(part)});
 }
 
+/// Of swaths that are driven, the strips that they are pieces of.
+int strips_driven(const Layout& layout, const Route& route) {
+  std::set<std::string> driven;
+  for (const RoutePiece& piece : route.pieces) driven.insert(piece.ref);
+  std::set<int> strips;
+  for (const Swath& swath : layout.swaths)
+    if (driven.contains(swath.id)) strips.insert(swath.strip);
+  return static_cast<int>(strips.size());
+}
+
 void report_layout(BlockReport& report, const Layout& layout, const LocalFrame& frame) {
   report.bearing_deg = true_bearing_deg(frame, layout.ab.a, heading_rad(layout.ab.b - layout.ab.a));
   report.headland_depth_m = layout.headland_depth_m;
   report.turn_depth_m = layout.turn_depth_m;
   report.headland_passes = layout.passes;
-  std::set<int> strips;
-  for (const Swath& swath : layout.swaths) strips.insert(swath.strip);
-  report.swaths = static_cast<int>(strips.size());
 }
 
 void count_pieces(BlockReport& report, const Route& route) {
@@ -205,6 +212,7 @@ BlockReport report_of(const PlannedBlock& planned, const Drive& drive, const Loc
   report.area_m2 = area_m2(planned.block.area);
   report_coverage(report, coverage_of(planned.block, planned.layout, planned.route, job.machine), frame);
   report_layout(report, planned.layout, frame);
+  report.swaths = strips_driven(planned.layout, planned.route);
   count_pieces(report, planned.route);
   report_drive(report, drive, job.machine);
   return report;
