@@ -48,13 +48,25 @@ std::string field_status(const std::vector<BlockReport>& blocks) {
 TEST_CASE("a report names its plan and says what a person must know", "[output][report]") {
   const Json report = Json::parse(report_json(reported_plan()));
   CHECK(keys(report) == std::vector<std::string>{"report", "version", "plan_id", "field", "status",
-                                                 "warnings", "total", "blocks", "assumptions", "notes"});
+                                                 "verification", "warnings", "total", "blocks", "assumptions",
+                                                 "notes"});
   CHECK(report["report"] == 1);
   CHECK(report["plan_id"] == "0123456789abcdef");
   CHECK(report["field"] == "Pr\u00E8s du bois");
   CHECK(report["warnings"].size() == 2);
   CHECK(report["assumptions"] == Json{"Flat ground", "Boundary accuracy unknown"});
   CHECK(report["notes"] == Json::array({"1 spike removed"}));
+}
+
+TEST_CASE("a report says what the independent check found, or that there was none", "[output][report]") {
+  Plan plan = reported_plan();
+  const auto said = [&] { return Json::parse(report_json(plan))["verification"]; };
+  CHECK(said()["verdict"] == "not asked for");
+  plan.verification = Verification{};
+  CHECK(said()["verdict"] == "passed");
+  plan.verification = Verification{{"speed: too fast"}};
+  CHECK(said()["verdict"] == "failed");
+  CHECK(said()["faults"] == Json::array({"speed: too fast"}));
 }
 
 TEST_CASE("the total adds the blocks up", "[output][report]") {
