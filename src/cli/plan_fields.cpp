@@ -21,13 +21,6 @@ namespace {
 constexpr auto kNames =
     std::to_array<std::string_view>({"plan.geojson", "map.svg", "map.pdf", "report.json"});
 
-MapOptions map_options(const Job& job) {
-  const Paper paper = job.output.paper == "A3"       ? Paper::a3
-                      : job.output.paper == "letter" ? Paper::letter
-                                                     : Paper::a4;
-  return {.units = job.output.units == "imperial" ? Units::imperial : Units::metric, .paper = paper};
-}
-
 struct Files {
   std::vector<OutputFile> files;
   std::string fault;  ///< of the plan file: empty where it reads back
