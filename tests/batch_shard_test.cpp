@@ -59,6 +59,12 @@ TEST_CASE("a scheduler's task knows its share", "[batch]") {
   CHECK(shard_of("auto", environment({{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "3"}})) ==
         Shard{1, 3});
   CHECK(shard_of("auto/5", environment({{"PBS_ARRAY_INDEX", "5"}})) == Shard{5, 5});
+  // one task of eight submitted again
+  CHECK(shard_of("auto/8", environment({{"SLURM_ARRAY_TASK_ID", "3"},
+                                        {"SLURM_ARRAY_TASK_MIN", "3"},
+                                        {"SLURM_ARRAY_TASK_MAX", "3"}})) == Shard{3, 8});
+  CHECK_THROWS_WITH(shard_of("auto/8", environment({{"SLURM_ARRAY_TASK_ID", "0"}})),
+                    Contains("count from 1"));
   CHECK_THROWS_WITH(shard_of("auto", environment({{"PBS_ARRAY_INDEX", "5"}})), Contains("auto/N"));
   CHECK_THROWS_WITH(shard_of("auto", kNone), Contains("no scheduler"));
   CHECK_THROWS_WITH(shard_of("auto", environment({{"SGE_TASK_ID", "undefined"}})), Contains("no scheduler"));

@@ -51,9 +51,10 @@ class Task {
   [[nodiscard]] std::optional<Shard> shard(std::optional<int> count) const {
     const auto index = number(scheduler_.index);
     if (!index) return std::nullopt;
-    const int first = number(scheduler_.first).value_or(1);
-    const int step = number(scheduler_.step).value_or(1);
-    if (step < 1 || *index < first) return std::nullopt;
+    // where the count is given, some tasks of an array may have been submitted again by themselves
+    const int first = (count ? whole(scheduler_.first) : number(scheduler_.first)).value_or(1);
+    const int step = count ? 1 : number(scheduler_.step).value_or(1);
+    if (!count && (step < 1 || *index < first)) return std::nullopt;
     if (!count) count = count_from(first, step);
     if (!count)
       throw InputError{"--shard auto: " + std::string{scheduler_.name} +
