@@ -68,7 +68,7 @@ def main(selion, kills, seed):
         seconds = run(selion, fields, whole, "--threads", "1")
         killed = 0
         for _ in range(kills):
-            status, _ = stopped(selion, fields, out, signal.SIGKILL, chance.uniform(0, 0.1 + 3 * seconds / kills))
+            status, _ = stopped(selion, fields, out, signal.SIGKILL, chance.uniform(0, 0.1 + 2 * seconds / kills))
             killed += status == -signal.SIGKILL
         before = results_in(out)
         run(selion, fields, out, "--resume")

@@ -78,7 +78,7 @@ class Tasks {
       trouble_ = error.what();
       return true;
     }
-    for (std::size_t i = 1; i <= stream_->size(); ++i) known_ += is_shards(number_ + i) ? 1 : 0;
+    for (std::size_t i = 1, size = stream_->size(); i <= size; ++i) known_ += is_shards(number_ + i) ? 1 : 0;
     for (const std::string& note : stream_->notes()) watch_.note(note);
     return true;
   }

@@ -110,6 +110,7 @@ struct FieldStream::State {
       throw InputError{reading.notes.back() + "; give a file with field boundaries"};
     first = static_cast<std::size_t>(std::ranges::find(fields, false, &SurveyedField::too_large) -
                                      fields.begin());
+    size = static_cast<std::size_t>(std::ranges::count(fields, false, &SurveyedField::too_large));
     overlaps = overlaps_of(fields);
   }
 
@@ -177,6 +178,7 @@ struct FieldStream::State {
 
   std::size_t at = static_cast<std::size_t>(-1);
   std::size_t first = 0;  // that is no extent
+  std::size_t size = 0;   // without extents
   std::optional<RawFeature> current;
   std::string name;
 };
@@ -187,9 +189,7 @@ FieldStream::FieldStream(FieldStream&&) noexcept = default;
 FieldStream& FieldStream::operator=(FieldStream&&) noexcept = default;
 FieldStream::~FieldStream() = default;
 
-std::size_t FieldStream::size() const {
-  return static_cast<std::size_t>(std::ranges::count(state_->fields, false, &SurveyedField::too_large));
-}
+std::size_t FieldStream::size() const { return state_->size; }
 
 const std::vector<std::string>& FieldStream::notes() const { return state_->reading.notes; }
 
