@@ -121,12 +121,14 @@ TableCell rounded(const Column& column, TableCell cell) {
 
 std::vector<TableColumn> table_columns() {
   std::vector<TableColumn> columns;
+  columns.reserve(kColumns.size());
   for (const Column& column : kColumns) columns.push_back({column.name, column.type});
   return columns;
 }
 
 std::vector<TableCell> cells_of(const BatchResult& result) {
   std::vector<TableCell> cells;
+  cells.reserve(kColumns.size());
   for (const Column& column : kColumns) cells.push_back(rounded(column, column.cell(result)));
   return cells;
 }

@@ -68,11 +68,13 @@ class FieldFiles {
   FieldFiles(const BatchOptions& options, const fs::path& part_folder, const BatchResult& row)
       : options_{options}, part_folder_{part_folder}, place_{place_of(row.number, row.name)} {}
 
-  /// @returns its name in the batch's folder.
-  std::string write(const std::string& tree, const std::string& ending, std::string_view bytes) const {
-    const std::string name = tree + "/" + place_ + ending;
-    write_beside(part_folder_ / fs::path{place_ + ending}.filename(), options_.folder / name, bytes);
-    return name;
+  /// In the batch's folder.
+  [[nodiscard]] std::string name(const std::string& tree, const std::string& ending) const {
+    return tree + "/" + place_ + ending;
+  }
+  void write(const std::string& tree, const std::string& ending, std::string_view bytes) const {
+    write_beside(part_folder_ / fs::path{place_ + ending}.filename(), options_.folder / name(tree, ending),
+                 bytes);
   }
 
  private:
@@ -88,7 +90,8 @@ struct FieldBytes {
 void write_files(const FieldBytes& bytes, const FieldFiles& files, BatchResult& row) {
   if (!bytes.svg.empty()) files.write("maps", ".svg", bytes.svg);
   if (!bytes.pdf.empty()) files.write("maps", ".pdf", bytes.pdf);
-  row.plan = files.write("plans", ".geojson", bytes.plan);
+  files.write("plans", ".geojson", bytes.plan);
+  row.plan = files.name("plans", ".geojson");
   row.plan_bytes = bytes.plan.size();
 }
 

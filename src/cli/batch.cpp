@@ -145,9 +145,9 @@ int run_fields(const BatchCommand& command, Terminal& terminal) {
                 .note = [&](const std::string& note) { terminal.note(note); },
                 .stop =
                     [&] {
-                      if (interrupt.made() && !std::exchange(told, true))
+                      if (StopRequest::made() && !std::exchange(told, true))
                         terminal.note("finishing the fields under way; interrupt again to end at once");
-                      return interrupt.made();
+                      return StopRequest::made();
                     }});
   terminal.result(command.json ? json_of(count, command.folder) : text_of(count, command.folder));
   say_what_is_next(count, options, terminal);

@@ -48,7 +48,7 @@ std::timed_mutex& writing() {
 
 StopRequest::StopRequest() { ++listeners; }
 StopRequest::~StopRequest() { --listeners; }
-bool StopRequest::made() const { return asked; }
+bool StopRequest::made() { return asked; }
 
 void watch_for_interrupts() {
   writing();

@@ -18,7 +18,7 @@ class StopRequest {
   StopRequest& operator=(StopRequest&&) = delete;
   ~StopRequest();
 
-  [[nodiscard]] bool made() const;
+  [[nodiscard]] static bool made();
 };
 
 /// From here on SIGINT and SIGTERM end the program with status 130. Called before any other thread starts.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +21,9 @@ struct Overlap {
   std::uint32_t later = 0;
   std::uint32_t earlier = 0;
 
-  friend auto operator<=>(const Overlap&, const Overlap&) = default;
+  friend bool operator<(const Overlap& a, const Overlap& b) {
+    return a.later != b.later ? a.later < b.later : a.earlier < b.earlier;
+  }
 };
 
 /// In order of the later one, then of the earlier one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "selion/field/stream.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <iostream>
 #include <map>
@@ -157,7 +158,7 @@ struct FieldStream::State {
     Field field = field_of(*current, source_of(fields[at]), name, read_options);
     attach(extras, field);
     const auto index = static_cast<std::uint32_t>(at);
-    for (auto overlap = std::ranges::lower_bound(overlaps, Overlap{index, 0});
+    for (auto overlap = std::lower_bound(overlaps.begin(), overlaps.end(), Overlap{index, 0});
          overlap != overlaps.end() && overlap->later == index; ++overlap)
       if (const Field* other = earlier(overlap->earlier)) note_neighbour(*other, field);
     if (at == first) field.notes.insert(field.notes.begin(), reading.notes.begin(), reading.notes.end());
