@@ -11,6 +11,7 @@
 #include "cli/output_dir.hpp"
 #include "cli/terminal.hpp"
 #include "selion/core/error.hpp"
+#include "selion/output/file_name.hpp"
 
 using namespace selion;
 using namespace selion::cli;

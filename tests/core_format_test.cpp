@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "test.hpp"
 
+#include <array>
+#include <charconv>
 #include <clocale>
+#include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
+#include <string>
 
 #include "selion/core/format.hpp"
 
@@ -38,6 +43,35 @@ TEST_CASE("numbers are written behind what is there", "[core][format]") {
   std::string out = "x = ";
   append_fixed(out, 1.25, 1);
   CHECK(out == "x = 1.2");
+}
+
+TEST_CASE("numbers are rounded as to_chars rounds them", "[core][format]") {
+  const auto exact = [](double value, int decimals) {
+    std::array<char, 400> digits{};
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals)
+            .ptr;
+    return std::string{digits.data(), end};
+  };
+  std::mt19937_64 random{1};
+  std::uniform_real_distribution<double> share{-1, 1};
+  std::size_t wrong = 0;
+  const auto compare = [&](double value, int decimals) {
+    const std::string text = exact(value, decimals);
+    const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+    wrong += fixed(value, decimals) != (zero && text.front() == '-' ? text.substr(1) : text) ? 1 : 0;
+  };
+  for (int decimals = 0; decimals <= 10; ++decimals)
+    for (int i = 0; i < 20'000; ++i) {
+      const double value = share(random) * std::pow(10, static_cast<int>(random() % 18) - 10);
+      compare(value, decimals);
+      // halves of the last decimal, as near as doubles come, and their neighbours
+      const double unit = std::pow(10, decimals);
+      const double half = (std::floor(share(random) * 1e6) + 0.5) / unit;
+      for (const double near : {half, std::nextafter(half, 1e9), std::nextafter(half, -1e9)})
+        compare(near, decimals);
+    }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("no locale changes the point", "[core][format]") {

@@ -13,13 +13,14 @@ import sys
 import tempfile
 
 # A folder sees itself and those to its left.
-LINE = ["core", "geometry", "motion", "field", "layout", "route", "fleet", "sim", "cost", "plan", "output", "cli"]
+LINE = ["core", "geometry", "motion", "field", "layout", "route", "fleet", "sim", "cost", "plan", "output", "batch", "cli"]
 SEES = {folder: set(LINE[: i + 1]) for i, folder in enumerate(LINE)}
 SEES["planfile"] = {"core", "planfile"}
 SEES["verify"] = {"core", "planfile", "verify"}
-for reader in ("plan", "output", "sim", "cli"):
+for reader in ("plan", "output", "sim", "batch", "cli"):
     SEES[reader].add("planfile")
-SEES["cli"].add("verify")
+for checker in ("batch", "cli"):
+    SEES[checker].add("verify")
 
 # Third parties' headers, by how they are included, and the folders whose .cpp files may include them.
 THIRD_PARTY = {
@@ -30,14 +31,15 @@ THIRD_PARTY = {
     r"nlopt\.h": {"motion", "layout"},
     r"gdal|ogr|cpl_": {"field", "verify"},
     r"proj\.h$": {"field", "planfile", "verify", "output"},
-    r"nlohmann/": {"field", "planfile", "verify"},
+    r"nlohmann/": {"field", "planfile", "verify", "batch"},
     r"opencv2/": {"sim"},
     r"toml\+\+/": {"plan"},
     r"cairo|pango|pugixml\.hpp$": {"output"},
+    r"tbb/|oneapi/": {"batch"},
     r"CLI/|spdlog/": {"cli"},
 }
 # What POSIX adds to the standard library: for files written whole, for terminals, and to load GDAL when it is needed.
-POSIX = {r"(unistd|fcntl|signal)\.h$|sys/": {"output", "cli"}, r"dlfcn\.h$": {"field", "verify"}}
+POSIX = {r"(unistd|fcntl|signal)\.h$|sys/": {"output", "batch", "cli"}, r"dlfcn\.h$": {"field", "verify"}}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+$")

@@ -13,7 +13,7 @@ set -eu
 wanted='g++ cmake ninja-build pkg-config ccache
   libgdal-dev libproj-dev proj-data libpolyclipping-dev libgeos-dev
   nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
-  libcairo2-dev libpango1.0-dev fonts-dejavu-core'
+  libcairo2-dev libpango1.0-dev fonts-dejavu-core libtbb-dev'
 print_only=
 for option; do
   case $option in

@@ -21,6 +21,12 @@ constexpr auto kCommands = std::to_array<Command>({
      "  selion plan --machine tractor-6m --working-width 9 --print-job > job.toml\n"
      "  selion plan farm.gpkg -o out --job job.toml --overwrite\n",
      setup_plan},
+    {"batch", "FIELDS -o DIR", "plan thousands of fields, in parallel, resumable, in shards",
+     "  selion batch province.gpkg -o out\n"
+     "  selion batch province.gpkg -o out --resume\n"
+     "  selion batch province.gpkg -o out --shard 3/8\n"
+     "  selion batch --merge -o out\n",
+     setup_batch},
     {"inspect", "FILE", "show what is in a field file or a plan, and what is wrong with it",
      "  selion inspect farm.gpkg\n"
      "  selion inspect out/plan.geojson --json\n",
@@ -33,7 +39,7 @@ constexpr auto kCommands = std::to_array<Command>({
 });
 
 constexpr auto kLater =
-    std::to_array<std::string_view>({"compare", "simulate", "targets", "batch", "export", "study"});
+    std::to_array<std::string_view>({"compare", "simulate", "targets", "export", "study"});
 
 }  // namespace
 

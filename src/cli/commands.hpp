@@ -15,6 +15,7 @@ namespace selion::cli {
 using Run = std::function<int()>;
 
 Run setup_plan(CLI::App& app);
+Run setup_batch(CLI::App& app);
 Run setup_inspect(CLI::App& app);
 Run setup_verify(CLI::App& app);
 Run setup_help(CLI::App& app);

@@ -2,6 +2,7 @@
 #include "interrupt.hpp"
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <string_view>
@@ -12,10 +13,20 @@
 namespace selion::cli {
 namespace {
 
-[[noreturn]] void wait_and_end(const sigset_t& signals) {
+/// How many parts of the program would rather end by themselves; and whether they were asked to.
+std::atomic<int> listeners = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): as signals are
+std::atomic<bool> asked =
+    false;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): as signals are
+
+void wait_for(const sigset_t& signals) {
   int signal = 0;
   while (sigwait(&signals, &signal) != 0) {
   }
+}
+
+[[noreturn]] void wait_and_end(const sigset_t& signals) {
+  wait_for(signals);
+  while (listeners > 0 && !asked.exchange(true)) wait_for(signals);
   // A disk that hangs must not keep the program for ever.
   static_cast<void>(writing().try_lock_for(std::chrono::seconds{10}));
   constexpr std::string_view kMessage = "\ninterrupted\n";
@@ -34,6 +45,10 @@ std::timed_mutex& writing() {
   static std::timed_mutex mutex;
   return mutex;
 }
+
+StopRequest::StopRequest() { ++listeners; }
+StopRequest::~StopRequest() { --listeners; }
+bool StopRequest::made() { return asked; }
 
 void watch_for_interrupts() {
   writing();

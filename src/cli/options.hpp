@@ -33,4 +33,9 @@ std::shared_ptr<FieldOptions> add_field_options(CLI::App& app);
 /// @throws InputError
 ReadOptions read_options_from(const FieldOptions& options);
 
+/// Of `--threads`: all processors where nothing is given. @throws InputError
+int threads_of(const std::string& text);
+/// Of `--date`: a day, today, or none. @throws InputError
+std::optional<std::string> date_of(const std::string& text);
+
 }  // namespace selion::cli

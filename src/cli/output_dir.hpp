@@ -15,10 +15,6 @@ struct OutputFile {
 
 enum class Existing { refuse, replace };
 
-/// "7_Long_acre": a folder's name that any file system takes, whatever the field is called; at most 100
-/// bytes.
-std::string folder_name(int number, std::string_view field_name);
-
 /// @throws InputError where `folder` cannot be made or written, or holds a file of these names that is not to
 /// be replaced.
 void check_output(const std::filesystem::path& folder, std::span<const std::string_view> names,

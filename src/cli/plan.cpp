@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <iostream>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +11,7 @@
 #include "plan_fields.hpp"
 #include "selion/core/error.hpp"
 #include "selion/core/json_writer.hpp"
+#include "selion/output/file_name.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/text.hpp"
 
@@ -66,40 +64,6 @@ std::vector<Task> tasks_of(std::vector<Reading> readings, const std::string& fol
   for (Task& task : tasks)
     task.folder /= folder_name(unique ? task.field.number : ++running, task.field.name);
   return tasks;
-}
-
-int threads_of(const std::string& text) {
-  if (text.empty()) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto number = number_of_text(text);
-  if (!number || *number < 1 || *number > 1024 || *number != static_cast<int>(*number))
-    throw InputError{"--threads: '" + text + "' is not a whole number from 1 to 1024"};
-  return static_cast<int>(*number);
-}
-
-std::string today() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm local{};
-  localtime_r(&now, &local);
-  std::string text = "0000-00-00";
-  text.resize(std::strftime(text.data(), text.size() + 1, "%Y-%m-%d", &local));
-  return text;
-}
-
-std::optional<std::string> date_of(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  if (text == "today") return today();
-  const bool shaped = text.size() == 10 && text[4] == '-' && text[7] == '-';
-  const auto part = [&](std::size_t from, std::size_t size) {
-    return static_cast<int>(number_of_text(text.substr(from, size)).value_or(-1));
-  };
-  const bool digits = std::ranges::all_of(text, [](char c) { return c == '-' || (c >= '0' && c <= '9'); });
-  using namespace std::chrono;
-  if (shaped && digits &&
-      year_month_day{year{part(0, 4)}, month{static_cast<unsigned>(part(5, 2))},
-                     day{static_cast<unsigned>(part(8, 2))}}
-          .ok())
-    return text;
-  throw InputError{"--date: '" + text + "' is no date; write 2026-05-31, or today"};
 }
 
 /// Says on standard error what belongs to one field.

@@ -10,24 +10,17 @@
 #include <thread>
 #include <utility>
 
+#include "selion/batch/verified.hpp"
 #include "selion/core/error.hpp"
 #include "selion/output/map.hpp"
 #include "selion/output/report.hpp"
 #include "selion/planfile/planfile.hpp"
-#include "selion/verify/verify.hpp"
 
 namespace selion::cli {
 namespace {
 
 constexpr auto kNames =
     std::to_array<std::string_view>({"plan.geojson", "map.svg", "map.pdf", "report.json"});
-
-MapOptions map_options(const Job& job) {
-  const Paper paper = job.output.paper == "A3"       ? Paper::a3
-                      : job.output.paper == "letter" ? Paper::letter
-                                                     : Paper::a4;
-  return {.units = job.output.units == "imperial" ? Units::imperial : Units::metric, .paper = paper};
-}
 
 /// The plan file's bytes, and what is wrong with them.
 struct PlanBytes {
@@ -42,13 +35,6 @@ std::string fault_text(const Verification& said) {
   const std::string more =
       said.faults.size() == 1 ? "a fault" : std::to_string(said.faults.size()) + " faults";
   return "the independent check of the plan found " + more + ": " + said.faults.front();
-}
-
-Verification verification_of(const PlanFile& plan) {
-  Verification said;
-  for (const Finding& finding : verify(plan, std::nullopt).findings)
-    said.faults.push_back(finding.code + ": " + finding.what);
-  return said;
 }
 
 /// A plan that cannot be read back is of no use to whoever is to drive it.

@@ -102,23 +102,49 @@ void collect_attributes(OGRFeatureH feature, std::span<const std::string_view> s
 
 }  // namespace
 
-RawLayer read_layer(void* opened, std::span<const std::string_view> skipped_attributes) {
-  auto* layer = static_cast<OGRLayerH>(opened);
+LayerCursor::LayerCursor(void* opened, std::vector<std::string_view> skipped_attributes)
+    : layer_{opened},
+      skipped_{std::move(skipped_attributes)},
+      swap_{northing_first(SELION_GDAL(OGR_L_GetSpatialRef)(static_cast<OGRLayerH>(opened)))} {
+  SELION_GDAL(OGR_L_ResetReading)(static_cast<OGRLayerH>(layer_));
+}
+
+RawLayer LayerCursor::about() const {
+  auto* layer = static_cast<OGRLayerH>(layer_);
   RawLayer raw;
   raw.name = SELION_GDAL(OGR_L_GetName)(layer);
-  void* srs = SELION_GDAL(OGR_L_GetSpatialRef)(layer);
-  raw.crs = crs_definition(srs);
-  const bool swap = northing_first(srs);
-  SELION_GDAL(OGR_L_ResetReading)(layer);
-  while (OGRFeatureH feature = SELION_GDAL(OGR_L_GetNextFeature)(layer)) {
-    const std::unique_ptr<void, DestroyFeature> kept{feature};
-    RawFeature one;
-    one.number = static_cast<int>(raw.features.size()) + 1;
-    collect_attributes(feature, skipped_attributes, one);
-    OGRGeometryH geometry = SELION_GDAL(OGR_F_GetGeometryRef)(feature);
-    if (geometry != nullptr) collect(geometry, swap, one);
-    raw.features.push_back(std::move(one));
-  }
+  raw.crs = crs_definition(SELION_GDAL(OGR_L_GetSpatialRef)(layer));
+  return raw;
+}
+
+RawFeature LayerCursor::raw_of(void* feature, int number) const {
+  RawFeature one;
+  one.number = number;
+  one.id = SELION_GDAL(OGR_F_GetFID)(static_cast<OGRFeatureH>(feature));
+  collect_attributes(static_cast<OGRFeatureH>(feature), skipped_, one);
+  OGRGeometryH geometry = SELION_GDAL(OGR_F_GetGeometryRef)(static_cast<OGRFeatureH>(feature));
+  if (geometry != nullptr) collect(geometry, swap_, one);
+  return one;
+}
+
+std::optional<RawFeature> LayerCursor::next() {
+  const std::unique_ptr<void, DestroyFeature> feature{
+      SELION_GDAL(OGR_L_GetNextFeature)(static_cast<OGRLayerH>(layer_))};
+  if (!feature) return std::nullopt;
+  return raw_of(feature.get(), ++count_);
+}
+
+std::optional<RawFeature> LayerCursor::at(std::int64_t id, int number) const {
+  const std::unique_ptr<void, DestroyFeature> feature{
+      SELION_GDAL(OGR_L_GetFeature)(static_cast<OGRLayerH>(layer_), id)};
+  if (!feature) return std::nullopt;
+  return raw_of(feature.get(), number);
+}
+
+RawLayer read_layer(void* opened, std::span<const std::string_view> skipped_attributes) {
+  LayerCursor cursor{opened, {skipped_attributes.begin(), skipped_attributes.end()}};
+  RawLayer raw = cursor.about();
+  while (auto feature = cursor.next()) raw.features.push_back(std::move(*feature));
   return raw;
 }
 

@@ -16,31 +16,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAxis_m = 6378137;  // WGS84
 constexpr double kEccentricitySquared = 0.00669437999014;
 
-struct RawBox {
-  RawPoint low{kInfinity, kInfinity};
-  RawPoint high{-kInfinity, -kInfinity};
-
-  void add(RawPoint p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  [[nodiscard]] RawPoint middle() const {
-    return {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2};
-  }
-  [[nodiscard]] bool empty() const { return low.x > high.x; }
-};
-
-RawBox box_of(const RawFeature& feature) {
-  RawBox box;
-  for (const RawPolygon& polygon : feature.polygons)
-    for (const RawRing& ring : polygon)
-      for (const RawPoint p : ring) box.add(p);
-  for (const auto& line : feature.lines)
-    for (const RawPoint p : line) box.add(p);
-  for (const RawPoint p : feature.points) box.add(p);
-  return box;
-}
-
 class Locator {
  public:
   Locator(Georeference& georeference, std::string where)
@@ -118,6 +93,17 @@ std::string part_name(const RawFeature& feature, std::size_t part, std::size_t r
 
 }  // namespace
 
+RawBox box_of(const RawFeature& feature) {
+  RawBox box;
+  for (const RawPolygon& polygon : feature.polygons)
+    for (const RawRing& ring : polygon)
+      for (const RawPoint p : ring) box.add(p);
+  for (const auto& line : feature.lines)
+    for (const RawPoint p : line) box.add(p);
+  for (const RawPoint p : feature.points) box.add(p);
+  return box;
+}
+
 Located located(const RawFeature& feature, Georeference& georeference, const std::string& where,
                 std::optional<double> accept_datum_error_m) {
   Located result;
@@ -149,9 +135,8 @@ Located located(const RawFeature& feature, Georeference& georeference, const std
   return result;
 }
 
-bool implausibly_large(const RawFeature& feature, Georeference& georeference) {
+bool implausibly_large(const RawBox& box, Georeference& georeference) {
   constexpr double kLargest_m = 100e3;
-  const RawBox box = box_of(feature);
   if (box.empty() || !std::isfinite(box.low.x + box.low.y) || !std::isfinite(box.high.x + box.high.y))
     return false;
   const DatumStep& step = georeference.step_at(box.middle());

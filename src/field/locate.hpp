@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +29,24 @@ struct Located {
 Located located(const RawFeature& feature, Georeference& georeference, const std::string& where,
                 std::optional<double> accept_datum_error_m);
 
+/// What holds a feature's coordinates, in its own CRS.
+struct RawBox {
+  RawPoint low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  RawPoint high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+  void add(RawPoint p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  [[nodiscard]] RawPoint middle() const {
+    return {low.x + (high.x - low.x) / 2, low.y + (high.y - low.y) / 2};
+  }
+  [[nodiscard]] bool empty() const { return low.x > high.x; }
+};
+RawBox box_of(const RawFeature& feature);
+
 /// Whether the feature is more than 100 km across: an extent, a country, but no field.
-bool implausibly_large(const RawFeature& feature, Georeference& georeference);
+bool implausibly_large(const RawBox& box, Georeference& georeference);
 
 /// Metres on WGS84's tangent plane at `reference`: exact enough within some kilometres, across the
 /// antimeridian too.

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <map>
-#include <set>
+#include <functional>
 
 #include "selion/core/error.hpp"
 #include "text.hpp"
@@ -49,21 +48,24 @@ std::optional<std::string> name_of(const RawFeature& feature) {
   return std::nullopt;
 }
 
+std::string UniqueNames::next(const RawFeature& feature) {
+  const std::hash<std::string> hash;
+  const auto own = name_of(feature);
+  const std::string base = own ? *own : features_ == 1 ? stem_ : stem_ + " " + std::to_string(feature.number);
+  std::string name = base;
+  while (!next_.try_emplace(hash(name), 2).second) {
+    int& number = next_.at(hash(base));
+    name = base + " (" + std::to_string(number++) + ")";
+  }
+  return name;
+}
+
 std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features,
                                       const std::string& stem) {
+  UniqueNames give{stem, features.size()};
   std::vector<std::string> names;
-  std::set<std::string> taken;
-  std::map<std::string, int> last;  // number that a namesake got: counted on from there
-  for (const RawFeature* feature : features) {
-    const auto own = name_of(*feature);
-    std::string name = own                    ? *own
-                       : features.size() == 1 ? stem
-                                              : stem + " " + std::to_string(feature->number);
-    const std::string base = name;
-    for (int& again = last.try_emplace(base, 1).first->second; !taken.insert(name).second;)
-      name = base + " (" + std::to_string(++again) + ")";
-    names.push_back(std::move(name));
-  }
+  names.reserve(features.size());
+  for (const RawFeature* feature : features) names.push_back(give.next(*feature));
   return names;
 }
 

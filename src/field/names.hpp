@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "raw.hpp"
@@ -18,8 +21,21 @@ std::optional<Role> role_of_feature(const RawFeature& feature, const std::string
 
 /// From an attribute name, field, field_name, title, label, id ..., in this order and in any case.
 std::optional<std::string> name_of(const RawFeature& feature);
-/// A name for each: its own, else `stem` (with the feature's number where there are several); namesakes get a
-/// number.
+/// Names for the features of a file, given one after another: the feature's own, else `stem` (with its number
+/// where there are several); namesakes get a number. Keeps 64 bits of each name, not the name.
+class UniqueNames {
+ public:
+  UniqueNames(std::string stem, std::size_t features) : stem_{std::move(stem)}, features_{features} {}
+
+  std::string next(const RawFeature& feature);
+
+ private:
+  std::string stem_;
+  std::size_t features_;
+  std::unordered_map<std::size_t, int> next_;  // by a name's hash: the number that its next namesake tries
+};
+
+/// A name for each feature, as UniqueNames gives them.
 std::vector<std::string> unique_names(const std::vector<const RawFeature*>& features,
                                       const std::string& stem);
 

@@ -29,7 +29,9 @@ Polygons in_plane(const std::vector<LonLatPolygon>& parts, LonLat reference) {
   return result;
 }
 
-void compare(const Field& earlier, Field& later) {
+}  // namespace
+
+void note_neighbour(const Field& earlier, Field& later) {
   if (earlier.parts == later.parts) {
     later.notes.push_back(later.source + " has the same boundary as feature " +
                           std::to_string(earlier.number));
@@ -47,28 +49,32 @@ void compare(const Field& earlier, Field& later) {
                         fixed(hectares_of_m2(common_m2), 3) + " ha");
 }
 
-}  // namespace
-
-void note_neighbours(std::vector<Field>& fields) {
-  std::vector<LonLatBox> boxes;
-  boxes.reserve(fields.size());
-  for (const Field& field : fields) boxes.push_back(bounds(field.parts));
-  std::vector<std::size_t> order(fields.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+std::vector<Overlap> overlaps_of(const std::vector<Extent>& extents) {
+  std::vector<std::uint32_t> order(extents.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return boxes[a].low.lon_deg < boxes[b].low.lon_deg; });
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+                   [&](std::uint32_t a, std::uint32_t b) { return extents[a].low_x < extents[b].low_x; });
+  std::vector<Overlap> overlaps;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1;
-         j < order.size() && boxes[order[j]].low.lon_deg < boxes[order[i]].high.lon_deg; ++j) {
-      const LonLatBox& a = boxes[order[i]];
-      const LonLatBox& b = boxes[order[j]];
-      if (a.low.lat_deg < b.high.lat_deg && b.low.lat_deg < a.high.lat_deg)
-        pairs.emplace_back(std::minmax(order[i], order[j]));
+    const Extent& a = extents[order[i]];
+    for (std::size_t j = i + 1; j < order.size() && extents[order[j]].low_x < a.high_x; ++j) {
+      const Extent& b = extents[order[j]];
+      if (a.low_y < b.high_y && b.low_y < a.high_y)
+        overlaps.push_back({std::max(order[i], order[j]), std::min(order[i], order[j])});
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  for (const auto& [earlier, later] : pairs) compare(fields[earlier], fields[later]);
+  std::sort(overlaps.begin(), overlaps.end());
+  return overlaps;
+}
+
+void note_neighbours(std::vector<Field>& fields) {
+  std::vector<Extent> extents;
+  extents.reserve(fields.size());
+  for (const Field& field : fields) {
+    const auto [low, high] = bounds(field.parts);
+    extents.push_back({low.lon_deg, low.lat_deg, high.lon_deg, high.lat_deg});
+  }
+  for (const auto& [later, earlier] : overlaps_of(extents)) note_neighbour(fields[earlier], fields[later]);
 }
 
 }  // namespace selion

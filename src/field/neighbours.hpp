@@ -1,14 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "selion/field/field.hpp"
 
 namespace selion {
 
-/// Notes on fields that are the same as, or overlap, an earlier one of the file by more than 1 % and a
-/// metre's width.
+/// What holds a field, in any plane.
+struct Extent {
+  double low_x = 0;
+  double low_y = 0;
+  double high_x = 0;
+  double high_y = 0;
+};
+
+/// Two fields whose extents overlap, by their places in the file.
+struct Overlap {
+  std::uint32_t later = 0;
+  std::uint32_t earlier = 0;
+
+  friend bool operator<(const Overlap& a, const Overlap& b) {
+    return a.later != b.later ? a.later < b.later : a.earlier < b.earlier;
+  }
+};
+
+/// In order of the later one, then of the earlier one.
+std::vector<Overlap> overlaps_of(const std::vector<Extent>& extents);
+
+/// A note on `later` where it is the same as `earlier`, or overlaps it by more than 1 % and a metre's width.
+void note_neighbour(const Field& earlier, Field& later);
+
+/// Those of all fields of a file.
 void note_neighbours(std::vector<Field>& fields);
 
 }  // namespace selion

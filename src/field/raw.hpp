@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -25,7 +26,8 @@ using RawRing = std::vector<RawPoint>;
 using RawPolygon = std::vector<RawRing>;
 
 struct RawFeature {
-  int number = 1;  ///< in its layer, from 1
+  int number = 1;       ///< in its layer, from 1
+  std::int64_t id = 0;  ///< by which its data set finds it again
   std::vector<RawPolygon> polygons;
   std::vector<std::vector<RawPoint>> lines;
   std::vector<RawPoint> points;
@@ -54,6 +56,8 @@ struct RawFile {
 
 /// A field file with the reader that suits it; "-" is GeoJSON on `standard_input`.
 RawFile read_raw(const std::filesystem::path& path, const ReadOptions& options, std::istream& standard_input);
+/// Whether GDAL reads it, by its name. @throws InputError where there is no such file, or nothing in it.
+bool is_for_gdal(const std::filesystem::path& path);
 RawFile read_json(const std::string& bytes, const std::string& label, const std::string& stem);
 /// Whether the text is GeoJSON by its first members; other JSON (TopoJSON, Esri) is for GDAL.
 bool is_geojson(const std::string& text);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "extras.hpp"
+#include "field_of.hpp"
 #include "locate.hpp"
 #include "names.hpp"
 #include "neighbours.hpp"
@@ -38,33 +39,16 @@ Sorted sorted_by_role(std::vector<Source>& sources, Reading& reading) {
       else
         skipped += (skipped.empty() ? "" : ", ") + std::to_string(feature.number);
     }
-    if (!skipped.empty())
-      reading.notes.push_back(source.where() + ": skipped, having no polygon: feature " + skipped);
+    if (!skipped.empty()) reading.notes.push_back(skipped_note(source, skipped));
   }
   return sorted;
 }
 
-std::optional<Field> field_of(const Candidate& candidate, const std::string& name, Reading& reading) {
-  Source& source = *candidate.source;
-  const std::string where = source.where(*candidate.raw);
-  Located at = located(*candidate.raw, *source.georeference, where, reading.options.accept_datum_error_m);
-  if (implausibly_large(*candidate.raw, *source.georeference)) {
-    reading.notes.push_back(where + " is more than 100 km across, and no field; skipped");
-    return std::nullopt;
-  }
-  Field field;
-  field.number = candidate.raw->number;
-  field.name = name;
-  field.parts = std::move(at.polygons);
-  field.source = where;
-  field.source_crs = source.georeference->name();
-  field.datum = source.georeference->datum();
-  field.datum_accuracy_m = at.datum_accuracy_m;
-  field.attributes = candidate.raw->attributes;
-  field.notes = std::move(at.notes);
-  if (!at.points.empty() || !at.lines.empty())
-    field.notes.push_back(where + ": its points and lines are skipped");
-  return field;
+std::optional<Field> field_or_note(const Candidate& candidate, const std::string& name, Reading& reading) {
+  Field field = field_of(*candidate.raw, *candidate.source, name, reading.options);
+  if (!implausibly_large(box_of(*candidate.raw), *candidate.source->georeference)) return field;
+  reading.notes.push_back(too_large_note(field.source));
+  return std::nullopt;
 }
 
 /// All candidates, or the one that the options name.
@@ -80,7 +64,7 @@ std::vector<Field> fields_of(const std::vector<Candidate>& candidates, const Raw
 
   std::vector<Field> fields;
   for (const std::size_t i : wanted)
-    if (auto field = field_of(candidates[i], names[i], reading)) fields.push_back(std::move(*field));
+    if (auto field = field_or_note(candidates[i], names[i], reading)) fields.push_back(std::move(*field));
   return fields;
 }
 

@@ -13,7 +13,7 @@
 #include "gdal_handles.hpp"
 #include "gdal_layer.hpp"
 #include "gdal_library.hpp"
-#include "raw.hpp"
+#include "raw_stream.hpp"
 #include "selion/core/error.hpp"
 #include "text.hpp"
 
@@ -42,17 +42,29 @@ struct Close {
   void operator()(void* dataset) const { SELION_GDAL(GDALClose)(dataset); }
 };
 
+using Dataset = std::unique_ptr<void, Close>;
+
+Dataset opened(const std::string& path, const std::string& label, const GdalMessages& messages) {
+  SELION_GDAL(GDALAllRegister)();
+  Dataset dataset{SELION_GDAL(GDALOpenEx)(
+      path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr)};
+  if (dataset) return dataset;
+  throw_first(messages, path, label);
+  throw InputError{label +
+                   " is no vector file that GDAL reads; export the field as GeoJSON, KML or shapefile"};
+}
+
+void add_warnings(const GdalMessages& messages, const std::string& path, const std::string& label,
+                  std::vector<std::string>& notes) {
+  for (const std::string& warning : messages.warnings)
+    if (!warning.starts_with("Non closed ring"))  // said with the ring's name when it is closed
+      notes.push_back(label + ": GDAL warns: " + in_our_words(warning, path, label));
+}
+
 /// Appends the layers of one data set.
 void read_dataset(const std::string& path, const std::string& label, RawFile& into) {
-  SELION_GDAL(GDALAllRegister)();
-  GdalMessages messages;
-  const std::unique_ptr<void, Close> dataset{SELION_GDAL(GDALOpenEx)(
-      path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr)};
-  if (!dataset) {
-    throw_first(messages, path, label);
-    throw InputError{label +
-                     " is no vector file that GDAL reads; export the field as GeoJSON, KML or shapefile"};
-  }
+  const GdalMessages messages;
+  const Dataset dataset = opened(path, label, messages);
   const std::string driver =
       SELION_GDAL(GDALGetDriverShortName)(SELION_GDAL(GDALGetDatasetDriver)(dataset.get()));
   into.layers_are_folders = driver == "LIBKML" || driver == "KML";
@@ -61,9 +73,7 @@ void read_dataset(const std::string& path, const std::string& label, RawFile& in
   for (int i = 0; i < SELION_GDAL(GDALDatasetGetLayerCount)(dataset.get()); ++i)
     into.layers.push_back(read_layer(SELION_GDAL(GDALDatasetGetLayer)(dataset.get(), i), skipped));
   throw_first(messages, path, label);
-  for (const std::string& warning : messages.warnings)
-    if (!warning.starts_with("Non closed ring"))  // said with the ring's name when it is closed
-      into.notes.push_back(label + ": GDAL warns: " + in_our_words(warning, path, label));
+  add_warnings(messages, path, label, into.notes);
 }
 
 std::string extension(const std::string& path) {
@@ -110,6 +120,10 @@ void read_without_index(const std::string& path, const std::string& bytes, const
   into.notes.push_back(label + ": its .shx is missing; the records are counted anew");
 }
 
+std::string without_dbf(const std::string& label) {
+  return label + ": its .dbf is missing; fields have no attributes";
+}
+
 void read_shapefile(const std::string& path, const std::string& label, RawFile& into) {
   const std::string bytes = gdal_file_bytes(path, label);
   check_shapefile(bytes, label);
@@ -117,7 +131,7 @@ void read_shapefile(const std::string& path, const std::string& label, RawFile& 
     read_dataset(path, label, into);
   else
     read_without_index(path, bytes, label, into);
-  if (!sibling(path, "dbf")) into.notes.push_back(label + ": its .dbf is missing; fields have no attributes");
+  if (!sibling(path, "dbf")) into.notes.push_back(without_dbf(label));
 }
 
 bool starts_as_xml(const std::string& path, const std::string& label) {
@@ -178,20 +192,100 @@ void read_archive(const std::string& file, const std::string& label, RawFile& in
                    " is an archive without a shapefile or another field file in it; check how it was packed"};
 }
 
+/// A data set that stays open while its features are read one at a time.
+class OpenDataset {
+ public:
+  OpenDataset(std::string path, std::string label) : path_{std::move(path)}, label_{std::move(label)} {
+    const GdalMessages messages;
+    dataset_ = opened(path_, label_, messages);
+    for (int i = 0; i < SELION_GDAL(GDALDatasetGetLayerCount)(dataset_.get()); ++i)
+      layers_.push_back(cursor(dataset_, i).about());
+    throw_first(messages, path_, label_);
+    add_warnings(messages, path_, label_, notes_);
+  }
+
+  [[nodiscard]] std::vector<RawLayer> layers() const { return layers_; }
+  [[nodiscard]] std::vector<std::string> notes() const { return notes_; }
+
+  void rewind(std::size_t layer) {
+    const GdalMessages silence;
+    cursor_.emplace(cursor(dataset_, static_cast<int>(layer)));
+  }
+  std::optional<RawFeature> next() {
+    const GdalMessages messages;
+    auto feature = cursor_->next();
+    throw_first(messages, path_, label_);
+    return feature;
+  }
+  /// By a second handle: the first keeps its place.
+  std::optional<RawFeature> at(std::size_t layer, std::int64_t id, int number) {
+    const GdalMessages messages;
+    if (!again_) again_ = opened(path_, label_, messages);
+    return cursor(again_, static_cast<int>(layer)).at(id, number);
+  }
+
+ private:
+  static LayerCursor cursor(const Dataset& dataset, int layer) {
+    return {SELION_GDAL(GDALDatasetGetLayer)(dataset.get(), layer), {}};
+  }
+
+  std::string path_;
+  std::string label_;
+  Dataset dataset_;
+  Dataset again_;
+  std::vector<RawLayer> layers_;
+  std::vector<std::string> notes_;
+  std::optional<LayerCursor> cursor_;
+};
+
+/// The path of a shapefile of which one of the other files is named.
+std::string path_for_gdal(const std::filesystem::path& file) {
+  const std::string path = file.string();
+  const std::string ending = extension(path);
+  const bool part = ending == "shx" || ending == "dbf";
+  return part ? sibling(path, "shp").value_or(path) : path;
+}
+
+bool is_archive(const std::string& ending) { return ending == "zip" || ending == "kmz" || ending == "shz"; }
+
+/// Whether GDAL reads it where it lies: XML is checked and read from memory, archives have several files.
+bool is_read_in_place(const std::string& path, const std::string& label) {
+  const std::string ending = extension(path);
+  if (is_archive(ending)) return false;
+  if (ending == "shp") return sibling(path, "shx").has_value();
+  return std::filesystem::is_directory(path) ? ending == "gdb" : !starts_as_xml(path, label);
+}
+
 }  // namespace
+
+std::optional<RawStream> stream_with_gdal(const std::filesystem::path& file, const std::string& label) {
+  const GdalMessages silence;
+  const std::string path = path_for_gdal(file);
+  if (!is_read_in_place(path, label)) return std::nullopt;
+  if (extension(path) == "shp") check_shapefile(gdal_file_bytes(path, label), label);
+  const auto dataset = std::make_shared<OpenDataset>(path, label);
+  RawStream stream;
+  stream.about = {label, file.stem().string(), dataset->layers(), false, dataset->notes()};
+  if (extension(path) == "shp" && !sibling(path, "dbf")) stream.about.notes.push_back(without_dbf(label));
+  stream.rewind = [dataset](std::size_t layer) { dataset->rewind(layer); };
+  stream.next = [dataset] { return dataset->next(); };
+  stream.at = [dataset](std::size_t layer, std::int64_t id, int number) {
+    return dataset->at(layer, id, number);
+  };
+  return stream;
+}
 
 RawFile read_with_gdal(const std::filesystem::path& file, const std::string& label) {
   const GdalMessages silence;
   RawFile raw;
   raw.label = label;
   raw.stem = file.stem().string();
-  std::string path = file.string();
+  const std::string path = path_for_gdal(file);
   const std::string ending = extension(path);
-  if ((ending == "shx" || ending == "dbf") && sibling(path, "shp")) path = *sibling(path, "shp");
   if (std::filesystem::is_directory(file)) {
     if (ending != "gdb") throw InputError{label + " is a folder; give the field file in it"};
     read_dataset(path, label, raw);
-  } else if (ending == "zip" || ending == "kmz" || ending == "shz") {
+  } else if (is_archive(ending)) {
     read_archive(path, label, raw);
   } else {
     read_one(path, label, raw);

@@ -86,7 +86,7 @@ bool holds_fields(Source& source) {
   return std::any_of(source.layer->features.begin(), source.layer->features.end(),
                      [&](const RawFeature& feature) {
                        return feature.has_polygons() && source.role_of(feature) == Role::field &&
-                              !implausibly_large(feature, *source.georeference);
+                              !implausibly_large(box_of(feature), *source.georeference);
                      });
 }
 

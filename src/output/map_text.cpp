@@ -137,4 +137,11 @@ MapText map_text(const Plan& plan, const Job& job) {
   return text;
 }
 
+MapOptions map_options(const Job& job) {
+  const Paper paper = job.output.paper == "A3"       ? Paper::a3
+                      : job.output.paper == "letter" ? Paper::letter
+                                                     : Paper::a4;
+  return {.units = job.output.units == "imperial" ? Units::imperial : Units::metric, .paper = paper};
+}
+
 }  // namespace selion
