@@ -8,6 +8,7 @@
 #include <string>
 
 #include <benchmark/benchmark.h>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,6 +31,7 @@ double results_in(const fs::path& folder) {
 rusage used_by(const fs::path& out) {
   const pid_t child = fork();
   if (child == 0) {
+    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
     execl(SELION_COMMAND, SELION_COMMAND, "batch", kFields, "--layer", "nl_waterland_brp2020", "--threads",
           "2", "-q", "--overwrite", "-o", out.c_str(), nullptr);
     _exit(127);

@@ -49,16 +49,16 @@ void note_neighbour(const Field& earlier, Field& later) {
                         fixed(hectares_of_m2(common_m2), 3) + " ha");
 }
 
-std::vector<Overlap> overlaps_of(const std::vector<Extent>& extents) {
+std::vector<Overlap> overlaps_of(const std::vector<FieldExtent>& extents) {
   std::vector<std::uint32_t> order(extents.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return extents[a].low_x < extents[b].low_x; });
   std::vector<Overlap> overlaps;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const Extent& a = extents[order[i]];
+    const FieldExtent& a = extents[order[i]];
     for (std::size_t j = i + 1; j < order.size() && extents[order[j]].low_x < a.high_x; ++j) {
-      const Extent& b = extents[order[j]];
+      const FieldExtent& b = extents[order[j]];
       if (a.low_y < b.high_y && b.low_y < a.high_y)
         overlaps.push_back({std::max(order[i], order[j]), std::min(order[i], order[j])});
     }
@@ -68,7 +68,7 @@ std::vector<Overlap> overlaps_of(const std::vector<Extent>& extents) {
 }
 
 void note_neighbours(std::vector<Field>& fields) {
-  std::vector<Extent> extents;
+  std::vector<FieldExtent> extents;
   extents.reserve(fields.size());
   for (const Field& field : fields) {
     const auto [low, high] = bounds(field.parts);

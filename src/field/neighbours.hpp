@@ -9,7 +9,7 @@
 namespace selion {
 
 /// What holds a field, in any plane.
-struct Extent {
+struct FieldExtent {
   double low_x = 0;
   double low_y = 0;
   double high_x = 0;
@@ -27,7 +27,7 @@ struct Overlap {
 };
 
 /// In order of the later one, then of the earlier one.
-std::vector<Overlap> overlaps_of(const std::vector<Extent>& extents);
+std::vector<Overlap> overlaps_of(const std::vector<FieldExtent>& extents);
 
 /// A note on `later` where it is the same as `earlier`, or overlaps it by more than 1 % and a metre's width.
 void note_neighbour(const Field& earlier, Field& later);

@@ -62,7 +62,7 @@ class NearbyFields {
 };
 
 std::vector<Overlap> overlaps_of(const std::vector<SurveyedField>& fields) {
-  std::vector<Extent> extents;
+  std::vector<FieldExtent> extents;
   extents.reserve(fields.size());
   for (const SurveyedField& field : fields)
     extents.push_back({field.box.low.x, field.box.low.y, field.box.high.x, field.box.high.y});
