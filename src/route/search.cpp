@@ -7,6 +7,7 @@
 #include <numbers>
 #include <queue>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "connect.hpp"
 #include "guide.hpp"
@@ -23,7 +24,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMostNodes = 4000;
 constexpr double kGreed = 1.6;  // weight of the heuristic: within this factor of the best of its moves
-constexpr int kHeadings = 32;
 constexpr std::size_t kMostDepartures = 32;
 constexpr std::size_t kMostShots = 3;      // goals tried from one place
 constexpr std::size_t kMostReplaced = 60;  // stretches put into one turn
@@ -38,17 +38,19 @@ Path moved_to(const Pose& pose, Path path) {
   return path;
 }
 
-/// Poses of one key are taken for the same place.
-std::uint64_t key_of(const Pose& pose, Gear gear) {
-  constexpr double kCell_m = 0.6;
+/// Poses of one key are taken for the same place: cells of ground, shares of a whole turn.
+std::uint64_t key_of(const Pose& pose, Gear gear, double cell_m, int headings) {
   const auto x =
-      static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.x_m / kCell_m)) + (1 << 26));
+      static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.x_m / cell_m)) + (1 << 26));
   const auto y =
-      static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.y_m / kCell_m)) + (1 << 26));
+      static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(pose.at.y_m / cell_m)) + (1 << 26));
   const auto h = static_cast<std::uint64_t>(
-      (std::llround(wrapped(pose.heading_rad) / (2 * kPi) * kHeadings) + kHeadings) % kHeadings);
+      (std::llround(wrapped(pose.heading_rad) / (2 * kPi) * headings) + headings) % headings);
   return (x << 36) | (y << 8) | (h << 1) | (gear == Gear::reverse ? 1U : 0U);
 }
+std::uint64_t key_of(const Pose& pose, Gear gear) { return key_of(pose, gear, 0.6, 32); }
+/// From near such a place a goal was tried in vain.
+std::uint64_t shot_key_of(const Pose& pose) { return key_of(pose, Gear::forward, 1.5, 12); }
 
 struct Node {
   Pose pose;
@@ -96,6 +98,7 @@ class Search {
   std::vector<Move> moves_;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> best_;
+  std::unordered_set<std::uint64_t> shots_;
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
@@ -199,7 +202,7 @@ std::optional<Found> Search::run() {
     if (nodes_[node].done) continue;
     nodes_[node].done = true;
     const bool near = guide_.to_goal_m(nodes_[node].pose.at) < 10 / terrain_.limits.curvature_per_m;
-    if (near || expanded % 8 == 0)
+    if ((near || expanded % 8 == 0) && shots_.insert(shot_key_of(nodes_[node].pose)).second)
       if (auto last = shot(node)) return traced(node, std::move(*last));
     expand(node);
     ++expanded;
