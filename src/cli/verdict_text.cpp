@@ -114,14 +114,14 @@ std::string text_of(const Verdict& verdict, const WatchList& watch, const std::s
   return text;
 }
 
-std::string json_of(const Verdict& verdict, const WatchList& watch) {
+std::string json_of(const Verdict& verdict, const std::vector<VerifiedPlace>& twice, const WatchList& watch) {
   JsonWriter json;
   json.begin_object(JsonSpread::lines).key("verdict").text(verdict.findings.empty() ? "passed" : "failed");
   add_findings(json, verdict);
   json.key("area_m2").number(verdict.area_m2, 2).key("covered_m2").number(verdict.covered_m2, 2);
   json.key("worked_twice_m2").number(verdict.twice_m2, 2);
   add_places(json, "missed", verdict.missed);
-  add_places(json, "twice", verdict.twice);
+  add_places(json, "twice", twice);
   add_watch(json, "closest", watch.closest);
   add_watch(json, "tightest", watch.tightest);
   return json.end().str() + "\n";

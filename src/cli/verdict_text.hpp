@@ -2,12 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "selion/verify/verify.hpp"
 
 namespace selion::cli {
 
 std::string text_of(const Verdict& verdict, const WatchList& watch, const std::string& plan);
-std::string json_of(const Verdict& verdict, const WatchList& watch);
+std::string json_of(const Verdict& verdict, const std::vector<VerifiedPlace>& twice, const WatchList& watch);
 
 }  // namespace selion::cli

@@ -44,7 +44,8 @@ int run_verify(const VerifyOptions& options) {
   const PlanFile plan = plan_from_geojson(text_of_file(options.plan), options.plan);
   const Verdict verdict = verify(plan, given);
   const WatchList watch = watch_list(plan);
-  std::cout << (options.json ? json_of(verdict, watch) : text_of(verdict, watch, options.plan));
+  std::cout << (options.json ? json_of(verdict, worked_twice(plan), watch)
+                             : text_of(verdict, watch, options.plan));
   return verdict.findings.empty() ? 0 : kCheckFailed;
 }
 

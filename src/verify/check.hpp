@@ -59,6 +59,8 @@ void check_inside(Case& plan, const Driven& driven);
 void check_lines(Case& plan);
 /// The ground covered. Fills the verdict's areas and places.
 void check_coverage(Case& plan, Verdict& verdict);
+/// Ground under two or more steps of the tool, as places.
+std::vector<VerifiedPlace> places_worked_twice(const Case& plan);
 /// Every figure of the summary.
 void check_summary(Case& plan, const Verdict& verdict);
 /// Robots against each other, at any time.

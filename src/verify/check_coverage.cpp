@@ -93,6 +93,17 @@ class Swept {
   double sum_m2_ = 0;
 };
 
+Swept swept_in(const Case& plan, int block) {
+  Swept swept{plan.vehicle.machine};
+  for (const Driven& driven : plan.drives) {
+    if (driven.record->block != block) continue;
+    for (const PieceLine& piece : driven.pieces)
+      piece.record().tool == 1 && piece.length_m() > 0 ? swept.add(piece) : swept.end();
+    swept.end();
+  }
+  return swept;
+}
+
 void add_places(std::vector<VerifiedPlace>& places, const Case& plan, int block, const Shape& shape) {
   const auto to_lonlat = [&plan](const std::vector<Point>& ring) {
     LonLatLine line;
@@ -114,13 +125,7 @@ void add_places(std::vector<VerifiedPlace>& places, const Case& plan, int block,
 
 void check_coverage(Case& plan, Verdict& verdict) {
   for (const Ground& ground : plan.grounds) {
-    Swept swept{plan.vehicle.machine};
-    for (const Driven& driven : plan.drives) {
-      if (driven.record->block != ground.block) continue;
-      for (const PieceLine& piece : driven.pieces)
-        piece.record().tool == 1 && piece.length_m() > 0 ? swept.add(piece) : swept.end();
-      swept.end();
-    }
+    const Swept swept = swept_in(plan, ground.block);
     verdict.area_m2 += area_m2(ground.area);
     if (swept.strips().empty()) {
       add_places(verdict.missed, plan, ground.block, ground.area);
@@ -131,8 +136,14 @@ void check_coverage(Case& plan, Verdict& verdict) {
     verdict.covered_m2 += area_m2(ground.area) - area_m2(missed);
     verdict.twice_m2 += swept.sum_m2() - area_m2(all);
     add_places(verdict.missed, plan, ground.block, missed);
-    add_places(verdict.twice, plan, ground.block, overlaps(swept.strips()));
   }
+}
+
+std::vector<VerifiedPlace> places_worked_twice(const Case& plan) {
+  std::vector<VerifiedPlace> places;
+  for (const Ground& ground : plan.grounds)
+    add_places(places, plan, ground.block, overlaps(swept_in(plan, ground.block).strips()));
+  return places;
 }
 
 }  // namespace selion::verifying

@@ -67,21 +67,23 @@ class InsideCheck {
       return;
     }
     const double span = piece.record().angle_rad ? std::abs(*piece.record().angle_rad) : piece.length_m();
-    check_shape(i, span, body_, ground_.border, {"body_outside", "body_obstacle"}, "body");
+    check_shape(i, span, {body_, &ground_.border, "body_outside", "body_obstacle", "body"});
     const Prepared& tool_border = piece.record().tool == 1 ? ground_.border : ground_.overhang_border;
-    check_shape(i, span, tool_, tool_border, {"tool_outside", "tool_obstacle"}, "tool");
+    check_shape(i, span, {tool_, &tool_border, "tool_outside", "tool_obstacle", "tool"});
   }
 
-  struct Codes {
-    const char* border;
-    const char* obstacle;
+  /// What is to stay inside, and what is said where it does not.
+  struct Member {
+    Outline4 shape;
+    const Prepared* border;
+    const char* outside;
+    const char* in_obstacle;
+    const char* name;
   };
 
-  void check_shape(std::size_t i, double span, const Outline4& shape, const Prepared& border,
-                   const Codes& codes, const std::string& name) {
-    const auto where = first_touch(driven_.pieces[i], 0, span, shape, border);
-    if (!where) return;
-    tell(i, span, *where, shape, codes, name);
+  void check_shape(std::size_t i, double span, const Member& member) {
+    const auto where = first_touch(driven_.pieces[i], 0, span, member.shape, *member.border);
+    if (where) tell(i, span, *where, member);
   }
 
   /// At `along`, metres of the curve, or radians of a pivot.
@@ -112,15 +114,14 @@ class InsideCheck {
   }
 
   /// How far it gets out, at the worst of some places along the piece.
-  void tell(std::size_t i, double span, double first, const Outline4& shape, const Codes& codes,
-            const std::string& name) {
+  void tell(std::size_t i, double span, double first, const Member& member) {
     constexpr int kPlaces = 40;
     double out = 0;
     double worst = first;
     double in_obstacle = 0;
     for (int k = -1; k <= kPlaces; ++k) {
       const double along = k < 0 ? first : span * k / kPlaces;
-      Outline4 some = shape;
+      Outline4 some = member.shape;
       if (some.rear_m == some.front_m) some.front_m += 1e-6;  // a line has no area
       const Shape there = polygon_of(placed_corners(pose(driven_.pieces[i], along), some));
       const Shape free = ground_.obstacles ? without(ground_.area, ground_.obstacles) : ground_.area;
@@ -130,10 +131,10 @@ class InsideCheck {
     }
     const Point at = pose(driven_.pieces[i], worst).at;
     const bool hits = in_obstacle > 1e-6;
-    plan_.findings.add(hits ? codes.obstacle : codes.border, driven_.record->block, at, {out, kInside_m},
-                       "the " + name + " gets " + shown(out, 3) + " m out of the block" +
-                           (hits ? ", or nearer to an obstacle than allowed," : "") + " in " +
-                           piece_name(driven_, i));
+    plan_.findings.add(
+        hits ? member.in_obstacle : member.outside, driven_.record->block, at, {out, kInside_m},
+        "the " + std::string{member.name} + " gets " + shown(out, 3) + " m out of the block" +
+            (hits ? ", or nearer to an obstacle than allowed," : "") + " in " + piece_name(driven_, i));
   }
 
   Case& plan_;

@@ -51,10 +51,11 @@ std::vector<Point> line_driven(const Stint& stint, double ahead_m) {
   return line;
 }
 
-double off_line_m(const std::vector<Point>& points, const std::vector<Point>& line) {
-  const Prepared prepared{line_through(line)};
+/// How far the farthest of some places lies from a line.
+double off_line_m(const std::vector<Point>& places, const std::vector<Point>& from) {
+  const Prepared prepared{line_through(from)};
   double most = 0;
-  for (const Point p : points) most = std::max(most, prepared.distance_m(std::array{p}));
+  for (const Point p : places) most = std::max(most, prepared.distance_m(std::array{p}));
   return most;
 }
 
@@ -123,9 +124,9 @@ class LineCheck {
 
   void check_pass(const HeadlandPassRecord& pass, const Stint& stint) {
     const std::vector<Point> line = plan_.plane.to_local(pass.line);
-    const std::vector<Point> axle = line_driven(stint, 0);
-    const double off = std::max({off_line_m(line, axle), distance_m(line.front(), axle.front()),
-                                 distance_m(line.back(), axle.back()), off_line_m(axle, line) - kLine_m});
+    const std::vector<Point> driven = line_driven(stint, 0);
+    const double off = std::max({off_line_m(line, driven), distance_m(line.front(), driven.front()),
+                                 distance_m(line.back(), driven.back()), off_line_m(driven, line) - kLine_m});
     if (!(off <= kLine_m))
       plan_.findings.add("pass_line", pass.block, line.front(), {off, kLine_m},
                          "headland pass " + pass.id + " is driven " + shown(off, 3) + " m off its line");

@@ -76,12 +76,12 @@ class SampleCheck {
   /// Where the sample is nearest to the pieces, within some metres, so that one that is off does not take
   /// those after it along.
   [[nodiscard]] double nearest(std::size_t i, double led) const {
-    constexpr double kReach_m = 5;
     constexpr double kStep_m = 0.05;
+    constexpr int kSteps = 100;
     double best = led;
     double least = distance_m(driven_.spot(led).at, at_[i]);
-    for (double way = std::max(0.0, led - kReach_m); way < std::min(driven_.whole_m(), led + kReach_m);
-         way += kStep_m) {
+    for (int k = -kSteps; k <= kSteps; ++k) {
+      const double way = std::clamp(led + k * kStep_m, 0.0, driven_.whole_m());
       const double off = distance_m(driven_.spot(way).at, at_[i]);
       if (off < least) best = way, least = off;
     }

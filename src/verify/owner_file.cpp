@@ -43,24 +43,28 @@ LonLatLine ring_of(OGRGeometryH ring, OGRCoordinateTransformationH to_wgs84) {
   return line;
 }
 
+LonLatArea area_of(OGRGeometryH polygon, OGRCoordinateTransformationH to_wgs84) {
+  LonLatArea area;
+  for (int i = 0; i < SELION_OGR(OGR_G_GetGeometryCount)(polygon); ++i) {
+    LonLatLine ring = ring_of(SELION_OGR(OGR_G_GetGeometryRef)(polygon, i), to_wgs84);
+    if (ring.size() < 3) continue;
+    if (i == 0)
+      area.shell = std::move(ring);
+    else
+      area.holes.push_back(std::move(ring));
+  }
+  return area;
+}
+
 void add_parts(OwnerFeature& feature, OGRGeometryH geometry, OGRCoordinateTransformationH to_wgs84) {
   if (geometry == nullptr) return;
-  const auto count = SELION_OGR(OGR_G_GetGeometryCount);
-  const auto member = SELION_OGR(OGR_G_GetGeometryRef);
   const OGRwkbGeometryType type = SELION_OGR(OGR_GT_Flatten)(SELION_OGR(OGR_G_GetGeometryType)(geometry));
   if (type == wkbPolygon) {
-    LonLatArea area;
-    for (int i = 0; i < count(geometry); ++i) {
-      LonLatLine ring = ring_of(member(geometry, i), to_wgs84);
-      if (ring.size() < 3) continue;
-      if (i == 0)
-        area.shell = std::move(ring);
-      else
-        area.holes.push_back(std::move(ring));
-    }
+    LonLatArea area = area_of(geometry, to_wgs84);
     if (!area.shell.empty()) feature.parts.push_back(std::move(area));
   } else if (type == wkbMultiPolygon || type == wkbGeometryCollection) {
-    for (int i = 0; i < count(geometry); ++i) add_parts(feature, member(geometry, i), to_wgs84);
+    for (int i = 0; i < SELION_OGR(OGR_G_GetGeometryCount)(geometry); ++i)
+      add_parts(feature, SELION_OGR(OGR_G_GetGeometryRef)(geometry, i), to_wgs84);
   }
 }
 

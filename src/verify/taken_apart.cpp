@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "taken_apart.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -30,6 +31,10 @@ double stretch_at(const Plane& plane, LonLat origin) {
   const Point a = plane.to_local({origin.lon_deg, origin.lat_deg - kStep_deg / 2});
   const Point b = plane.to_local({origin.lon_deg, origin.lat_deg + kStep_deg / 2});
   return distance_m(a, b) / (north_m * kStep_deg);
+}
+
+std::string trajectory_name(const TrajectoryRecord& t) {
+  return "the trajectory of robot " + std::to_string(t.robot) + " in block " + std::to_string(t.block);
 }
 
 }  // namespace
@@ -76,27 +81,31 @@ void TakenApart::check_frame() {
 
 void TakenApart::check_trajectories() {
   const PlanFile& file = case_.plan;
-  const std::size_t blocks = file.fields.empty() ? 0 : file.fields.front().parts.size();
   if (file.trajectories.empty())
     findings_.add("no_trajectory", 0, std::nullopt, {}, "the file has no trajectory");
   std::set<std::pair<int, int>> seen;
   for (const TrajectoryRecord& t : file.trajectories) {
-    const std::string name =
-        "the trajectory of robot " + std::to_string(t.robot) + " in block " + std::to_string(t.block);
-    if (t.block < 1 || static_cast<std::size_t>(t.block) > blocks)
-      refuse("block", name + " belongs to no block of the field");
-    if (!seen.emplace(t.block, t.robot).second) refuse("block", name + " is there twice");
-    if (t.pieces.empty() || t.line.size() < 2) refuse("no_trajectory", name + " is empty");
-    for (std::size_t i = 0; i < t.pieces.size(); ++i)
-      if (!plausible(t.pieces[i]))
-        return refuse("piece", name + ": piece " + std::to_string(i + 1) +
-                                   " has a length below 0, or numbers that no machine drives");
-    const double wide = vehicle_.machine.working_width_m;
-    if (!(std::abs(t.working_width_m - wide) <= 1e-3))
-      findings_.add("line_width", t.block, std::nullopt, {t.working_width_m, wide},
-                    name + " is said to work " + shown(t.working_width_m, 3) + " m, the tool is " +
-                        shown(wide, 3) + " m wide");
+    if (!seen.emplace(t.block, t.robot).second) refuse("block", trajectory_name(t) + " is there twice");
+    check_trajectory(t);
   }
+}
+
+void TakenApart::check_trajectory(const TrajectoryRecord& t) {
+  const std::string name = trajectory_name(t);
+  const PlanFile& file = case_.plan;
+  const std::size_t blocks = file.fields.empty() ? 0 : file.fields.front().parts.size();
+  if (t.block < 1 || static_cast<std::size_t>(t.block) > blocks)
+    refuse("block", name + " belongs to no block of the field");
+  if (t.pieces.empty() || t.line.size() < 2) refuse("no_trajectory", name + " is empty");
+  const auto odd = std::ranges::find_if_not(t.pieces, plausible);
+  if (odd != t.pieces.end())
+    refuse("piece", name + ": piece " + std::to_string(odd - t.pieces.begin() + 1) +
+                        " has a length below 0, or numbers that no machine drives");
+  const double wide = vehicle_.machine.working_width_m;
+  if (!(std::abs(t.working_width_m - wide) <= 1e-3))
+    findings_.add("line_width", t.block, std::nullopt, {t.working_width_m, wide},
+                  name + " is said to work " + shown(t.working_width_m, 3) + " m, the tool is " +
+                      shown(wide, 3) + " m wide");
 }
 
 std::string piece_name(const Driven& driven, std::size_t piece) {

@@ -12,6 +12,9 @@ class TakenApart {
   explicit TakenApart(const PlanFile& file);
   TakenApart(const TakenApart&) = delete;
   TakenApart& operator=(const TakenApart&) = delete;
+  TakenApart(TakenApart&&) = delete;
+  TakenApart& operator=(TakenApart&&) = delete;
+  ~TakenApart() = default;
 
   [[nodiscard]] bool usable() const { return usable_; }
   [[nodiscard]] Case& plan() { return case_; }
@@ -21,6 +24,7 @@ class TakenApart {
   void check_frame();
   void check_job(const std::string& trouble);
   void check_trajectories();
+  void check_trajectory(const TrajectoryRecord& t);
   void refuse(const char* code, const std::string& what);
 
   Plane plane_;

@@ -29,4 +29,9 @@ Verdict verify(const PlanFile& file, const std::optional<GivenField>& given) {
   return verdict;
 }
 
+std::vector<VerifiedPlace> worked_twice(const PlanFile& plan) {
+  TakenApart taken{plan};
+  return taken.usable() ? places_worked_twice(taken.plan()) : std::vector<VerifiedPlace>{};
+}
+
 }  // namespace selion

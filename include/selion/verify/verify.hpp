@@ -37,7 +37,6 @@ struct VerifiedPlace {
 struct Verdict {
   std::vector<Finding> findings;  ///< none: the plan keeps every rule; at most a few of one code and block
   std::vector<VerifiedPlace> missed;  ///< wider than 1 cm on average, largest first, by blocks
-  std::vector<VerifiedPlace> twice;   ///< the same
   double area_m2 = 0;
   double covered_m2 = 0;
   double twice_m2 = 0;  ///< ground worked three times counts twice
@@ -59,7 +58,10 @@ struct GivenField {
 /// of the summary. It shares no curve and no polygon code with the planner.
 /// @param given  re-read and compared with the plan's field; absent: the plan's own field is believed.
 /// @throws InputError where `given` cannot be read.
-Verdict verify(const PlanFile& plan, const std::optional<GivenField>& given);
+Verdict verify(const PlanFile& file, const std::optional<GivenField>& given);
+
+/// Ground that the plan works more than once, wider than 1 cm on average, largest first, by blocks.
+std::vector<VerifiedPlace> worked_twice(const PlanFile& plan);
 
 /// A place to look at before the first drive.
 struct WatchPlace {
