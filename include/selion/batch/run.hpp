@@ -29,7 +29,7 @@ struct BatchOptions {
   Repair repair = Repair::notes_only;
   BatchMaps maps = BatchMaps::none;
   BatchCheck check = BatchCheck::verify;  ///< of each plan, by the independent check
-  std::optional<std::string> date;  ///< on maps
+  std::optional<std::string> date;        ///< on maps
   Shard shard;
   Earlier earlier = Earlier::refuse;
   int threads = 1;
