@@ -133,6 +133,37 @@ TEST_CASE("a plan is held against its owner's field", "[verify]") {
   CHECK_THROWS_AS(against("SOURCES.md"), InputError);
 }
 
+TEST_CASE("a tool that gets out is found where the body stays inside", "[verify]") {
+  const auto rectangle = [](double in_m) {
+    return Polygon{{{in_m, in_m}, {60 - in_m, in_m}, {60 - in_m, 40 - in_m}, {in_m, 40 - in_m}}, {}};
+  };
+  PlanFile plan = written(field_of_metres({rectangle(0)}), "[headland]\norder = \"last\"\n");
+  plan.fields.at(0).parts.at(0).shell = polygon_of_metres(rectangle(0.45)).shell;  // the margin is 0.3 m
+  const auto count = [verdict = verify(plan, std::nullopt)](const char* code) {
+    return std::ranges::count(verdict.findings, code, &Finding::code);
+  };
+  CHECK(count("tool_outside") > 0);
+}
+
+TEST_CASE("ground of the plan that its owner's field lacks, or has and the plan not, is found", "[verify]") {
+  const auto codes_against = [](const Field& planned, const char* name) {
+    const std::filesystem::path file = std::filesystem::path{SELION_DATA_DIR} / "fields" / name;
+    std::string codes;
+    for (const Finding& finding :
+         verify(written(planned, ""), GivenField{file, std::nullopt, std::nullopt}).findings)
+      codes += finding.code + " ";
+    return codes;
+  };
+  Field no_pond = sample("with_pond.geojson");
+  for (LonLatPolygon& part : no_pond.parts) part.holes.clear();
+  no_pond.obstacles.clear();
+  CHECK(codes_against(no_pond, "with_pond.geojson").find("given_") != std::string::npos);
+  Field half = sample("two_parts.geojson");
+  half.parts.resize(1);
+  CHECK(codes_against(half, "two_parts.geojson").find("given_left_out") != std::string::npos);
+  CHECK(codes_against(sample("f1.geojson"), "l_shape.geojson") != "");
+}
+
 TEST_CASE("the list of places to look at names ten approaches and ten bends", "[verify]") {
   const WatchList list = watch_list(written(sample("with_pond.geojson"), ""));
   REQUIRE(list.closest.size() == 10);

@@ -58,7 +58,7 @@ class Swept {
     const std::array<Point, 4> corners{a.right, b.right, b.left, a.left};
     if (!convex(corners)) {
       end();
-      strips_.push_back(hull(corners));
+      strips_.push_back(convex_hull(corners));  // the inner end goes back
       sum_m2_ += area_m2(strips_.back());
       return;
     }
@@ -81,9 +81,6 @@ class Swept {
       if (!(cross(c[(i + 1) % 4] - c[i], c[(i + 2) % 4] - c[(i + 1) % 4]) > 0)) return false;
     return true;
   }
-
-  /// The inner end of the tool goes back: what both lines and the ground between them take up.
-  static Shape hull(const std::array<Point, 4>& corners) { return convex_hull(corners); }
 
   const Machine& machine_;
   std::vector<Shape> strips_;

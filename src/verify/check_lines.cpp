@@ -64,11 +64,8 @@ class LineCheck {
   explicit LineCheck(Case& plan) : plan_{plan}, stints_{stints_of(plan)} {}
 
   void run() {
-    std::vector<const SwathRecord*> by_order;
-    for (const SwathRecord& swath : plan_.plan.swaths) {
-      by_order.push_back(&swath);
+    for (const SwathRecord& swath : plan_.plan.swaths)
       if (const Stint* stint = the_one(swath.block, swath.id, swath.line)) check_swath(swath, *stint);
-    }
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes)
       if (const Stint* stint = the_one(pass.block, pass.id, pass.line)) check_pass(pass, *stint);
     for (const auto& [key, stints] : stints_)

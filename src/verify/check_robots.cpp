@@ -22,8 +22,7 @@ class RobotCheck {
                 Point{m.front_m, m.body_width_m / 2}, Point{-m.rear_m, m.body_width_m / 2}};
     reach_m_ = std::max(length_m(corners_[0]), length_m(corners_[1]));
     most_mps_ = m.max_speed_mps * (1 + plan.vehicle.most_curvature_per_m * reach_m_);
-    pivots_ = m.may_pivot;
-    if (pivots_) most_mps_ = std::max(most_mps_, m.turn_speed_mps * 2 * reach_m_ / m.track_m);
+    if (m.may_pivot) most_mps_ = std::max(most_mps_, m.turn_speed_mps * 2 * reach_m_ / m.track_m);
   }
 
   void run() {
@@ -76,7 +75,6 @@ class RobotCheck {
   std::array<Point, 4> corners_;
   double reach_m_ = 0;
   double most_mps_ = 0;
-  bool pivots_ = false;
 };
 
 }  // namespace
