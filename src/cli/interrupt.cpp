@@ -13,10 +13,16 @@
 namespace selion::cli {
 namespace {
 
-/// How many parts of the program would rather end by themselves; and whether they were asked to.
-std::atomic<int> listeners = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): as signals are
-std::atomic<bool> asked =
-    false;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): as signals are
+/// How many parts of the program would rather end by themselves; and whether they were asked to. One for the
+/// whole process, as signals are.
+std::atomic<int>& listeners() {
+  static std::atomic<int> count = 0;
+  return count;
+}
+std::atomic<bool>& asked() {
+  static std::atomic<bool> once = false;
+  return once;
+}
 
 void wait_for(const sigset_t& signals) {
   int signal = 0;
@@ -26,7 +32,7 @@ void wait_for(const sigset_t& signals) {
 
 [[noreturn]] void wait_and_end(const sigset_t& signals) {
   wait_for(signals);
-  while (listeners > 0 && !asked.exchange(true)) wait_for(signals);
+  while (listeners() > 0 && !asked().exchange(true)) wait_for(signals);
   // A disk that hangs must not keep the program for ever.
   static_cast<void>(writing().try_lock_for(std::chrono::seconds{10}));
   constexpr std::string_view kMessage = "\ninterrupted\n";
@@ -46,12 +52,12 @@ std::timed_mutex& writing() {
   return mutex;
 }
 
-StopRequest::StopRequest() { ++listeners; }
-StopRequest::~StopRequest() { --listeners; }
-bool StopRequest::made() { return asked; }
+StopRequest::StopRequest() { ++listeners(); }
+StopRequest::~StopRequest() { --listeners(); }
+bool StopRequest::made() { return asked(); }
 
 void watch_for_interrupts() {
-  writing();
+  writing(), listeners(), asked();
   std::signal(SIGXFSZ, SIG_IGN);  // a file above the user's limit is an error with a message, not the end
   sigset_t signals;
   sigemptyset(&signals);
