@@ -125,6 +125,18 @@ std::vector<Source> with_fields(std::vector<Source> sources, const RawFile& file
   return kept;
 }
 
+void refuse_line_around_area(const RawFile& file, const RawFeature& feature) {
+  if (std::any_of(feature.lines.begin(), feature.lines.end(), is_boundary))
+    throw InputError{file.label + " has no polygon: feature " + std::to_string(feature.number) +
+                     " is a line around an area; save the boundary as a polygon"};
+}
+
+const char* instead_of_polygons(bool lines, bool points) {
+  if (lines && points) return ", only lines and points";
+  if (lines) return ", only lines";
+  return points ? ", only points" : "";
+}
+
 }  // namespace
 
 std::string Source::where() const {
@@ -160,19 +172,12 @@ void refuse_without_polygons(const RawFile& file) {
   bool points = false;
   for (const RawLayer& layer : file.layers) {
     for (const RawFeature& feature : layer.features) {
+      refuse_line_around_area(file, feature);
       lines = lines || !feature.lines.empty();
       points = points || !feature.points.empty();
-      for (const auto& line : feature.lines)
-        if (is_boundary(line))
-          throw InputError{file.label + " has no polygon: feature " + std::to_string(feature.number) +
-                           " is a line around an area; save the boundary as a polygon"};
     }
   }
-  const char* instead = lines && points ? ", only lines and points"
-                        : lines         ? ", only lines"
-                        : points        ? ", only points"
-                                        : "";
-  throw InputError{file.label + " has no polygon in it" + instead +
+  throw InputError{file.label + " has no polygon in it" + instead_of_polygons(lines, points) +
                    "; give a file with the field's boundary as a polygon"};
 }
 
