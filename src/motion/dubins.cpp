@@ -35,7 +35,7 @@ struct Setting {
 double same_sides(const Setting& at, double side) {
   const double ahead = at.d + side * (at.sin_alpha - at.sin_beta);
   const double across = side * (at.cos_beta - at.cos_alpha);
-  const double straight = std::hypot(ahead, across);
+  const double straight = length_m({ahead, across});
   if (straight < kOneCircle) return turned(side * (at.beta - at.alpha));
   const double bearing = std::atan2(across, ahead);
   return turned(side * (bearing - at.alpha)) + straight + turned(side * (at.beta - bearing));
@@ -56,7 +56,7 @@ double other_sides(const Setting& at, double side) {
 double three_turns(const Setting& at, double side) {
   const double ahead = at.d + side * (at.sin_alpha - at.sin_beta);
   const double across = side * (at.cos_beta - at.cos_alpha);
-  const double half = std::hypot(ahead, across) / 4;
+  const double half = length_m({ahead, across}) / 4;
   if (half > 1) return std::numeric_limits<double>::infinity();
   const double middle = 2 * std::numbers::pi - 2 * std::asin(half);
   const double first = turned(side * (std::atan2(across, ahead) - at.alpha) + middle / 2);

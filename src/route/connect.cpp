@@ -58,9 +58,14 @@ std::optional<Path> turn_ahead(const Terrain& terrain, const Swings& swings, con
   return std::nullopt;
 }
 
-/// No turn with a stop on its way takes less.
-double least_with_stop_s(const Machine& machine, const Pose& from, const Pose& to) {
-  return (distance_m(from.at, to.at) + stop_m(machine, machine.turn_speed_mps)) / machine.turn_speed_mps;
+/// No turn with a stop on its way takes less: what does not pivot has to drive round to the other heading.
+double least_with_stop_s(const Terrain& terrain, const Pose& from, const Pose& to) {
+  const Machine& machine = terrain.machine;
+  const double arc_m = machine.may_pivot ? 0
+                                         : std::abs(wrapped(to.heading_rad - from.heading_rad)) /
+                                               terrain.limits.curvature_per_m;
+  const double least_m = std::max(distance_m(from.at, to.at), arc_m);
+  return (least_m + stop_m(machine, machine.turn_speed_mps)) / machine.turn_speed_mps;
 }
 
 /// The fastest turn so far, and its seconds with those more by which its ground on the mainland is dearer.
@@ -149,7 +154,7 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, co
   if (may == Manoeuvres{}) return ahead;
   Fastest fastest{terrain, longest};
   if (ahead) fastest.begin_with(*ahead);
-  if (fastest.beats(least_with_stop_s(terrain.machine, from, to))) return ahead;
+  if (fastest.beats(least_with_stop_s(terrain, from, to))) return ahead;
   for (const TurnKind& kind : turns())
     if (kind.needs != Needs::nothing && allows(may, kind.needs))
       for (const Path& turn : kind.candidates(from, to, swings)) fastest.offer(turn);

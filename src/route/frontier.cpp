@@ -11,14 +11,6 @@ namespace {
 
 constexpr double kRounding_m = 1e-9;
 
-Path whole(const Link& link, const Path& turn) {
-  Path path;
-  if (link.before != nullptr) append(path, *link.before);
-  append(path, turn);
-  if (link.after != nullptr) append(path, *link.after);
-  return path;
-}
-
 }  // namespace
 
 Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, const Pose& end) {
@@ -33,10 +25,11 @@ Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, con
 void work_out(const Terrain& terrain, Link& link) {
   if (link.worked_out) return;
   link.worked_out = true;
-  const auto turn =
+  auto turn =
       direct_turn(terrain, terrain.swings, link.start, link.end, std::numeric_limits<double>::infinity());
   if (!turn) return;
-  link.path = whole(link, *turn);
+  link.path = std::move(*turn);
+  if (link.after != nullptr) append(link.path, *link.after);
   link.cost_m = cost_m(terrain, link.path);
 }
 

@@ -19,12 +19,11 @@ struct Link {
   std::size_t to = 0;
   Pose start;
   Pose end;
-  const Path* before = nullptr;  ///< driven before the turn, or
-  const Path* after = nullptr;   ///< after it; outlives the link
-  double least_m = 0;            ///< it costs no less
+  const Path* after = nullptr;  ///< driven after the turn; outlives the link
+  double least_m = 0;           ///< it costs no less
   bool worked_out = false;
   Path path;                                                ///< empty where there is none
-  double cost_m = std::numeric_limits<double>::infinity();  ///< of all three
+  double cost_m = std::numeric_limits<double>::infinity();  ///< of both
 };
 
 /// A link of the least cost that a turn between the poses can have.

@@ -3,11 +3,11 @@
 
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "connect.hpp"
 #include "frontier.hpp"
-#include "guide.hpp"
 
 namespace selion {
 
@@ -42,6 +42,8 @@ Path part_of(const Path& path, double from_m, double to_m);
 /// single turns from line to line. A turn is worked out when a search first wants to drive it, and kept.
 class Roads {
  public:
+  using Links = std::vector<Link>;
+
   Roads(const Terrain& terrain, std::vector<Track> tracks);
 
   /// Cheapest way to one of the goals, found by A* over the stations; both ends are joined by single turns,
@@ -51,44 +53,35 @@ class Roads {
   std::optional<Arrival> way(const Pose& from, const std::vector<Pose>& goals,
                              const std::vector<Path>& retreats);
 
+  [[nodiscard]] const Terrain& terrain() const { return terrain_; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] const Pose& pose(std::size_t node) const { return nodes_[node].pose; }
+  [[nodiscard]] bool is_junction(std::size_t node) const;
+  /// As far as turns from or to one place are looked for.
+  [[nodiscard]] double reach_m() const { return reach_m_; }
+
+  /// Stations that a turn from the pose probably reaches soonest.
+  [[nodiscard]] std::vector<std::size_t> likely_after(const Pose& from) const;
+  /// Stations from which a turn probably reaches the pose soonest.
+  [[nodiscard]] std::vector<std::size_t> likely_before(const Pose& to) const;
+  /// To the next station of the node's own line, known at once; none where the line ends.
+  Links& next_on_line(std::size_t node);
+  /// To stations of other lines.
+  Links& turns_from(std::size_t node);
+
  private:
   struct Node {
+    Pose pose;
     std::size_t track = 0;
     std::size_t station = 0;
   };
-  using Links = std::vector<Link>;
+  using Ranked = std::vector<std::pair<double, std::size_t>>;
 
-  /// What one search looks for; its goals are nodes beyond those of the network.
-  struct Quest {
-    const Pose& from;
-    const std::vector<Pose>& goals;
-    Links starts;
-    std::unordered_map<std::size_t, Links> ends;
-    std::vector<std::vector<Path>> runs_back;  ///< into each goal
-    std::unordered_map<std::size_t, double> rest_m;
-    std::optional<Guide> guide;  ///< over a long way
-  };
-
-  [[nodiscard]] const Pose& pose(std::size_t node) const;
-  [[nodiscard]] std::vector<std::size_t> near(Point p) const;
+  [[nodiscard]] Ranked near(Point p, std::size_t but_track) const;
   template <class Guess>
   [[nodiscard]] std::vector<std::size_t> likely(Point at, std::size_t but_track, Guess guess) const;
-  [[nodiscard]] std::vector<std::size_t> foremost(
-      const std::vector<std::pair<double, std::size_t>>& ranked) const;
   [[nodiscard]] std::vector<std::size_t> likely_after(const Pose& from, std::size_t but_track) const;
-  [[nodiscard]] std::vector<std::size_t> likely_before(const Pose& to) const;
-  [[nodiscard]] bool leaves_by_turns(Quest& quest, std::size_t node) const;
-  Links& turns_from(std::size_t node);
-  Links& next_on_line(std::size_t node);
-  void add_starts(Quest& quest, const Pose& from, const std::vector<Path>& retreats) const;
-  void add_ends(Quest& quest, std::size_t goal) const;
-  [[nodiscard]] std::vector<Path> runs_back_into(const Pose& to) const;
-  [[nodiscard]] static double crow_m(const Pose& from, const std::vector<Pose>& goals);
-  double rest_m(Quest& quest, std::size_t node) const;
-  [[nodiscard]] std::optional<Arrival> beyond(const Pose& from, const Frontier& frontier,
-                                              const std::vector<Pose>& goals,
-                                              const std::vector<Path>& retreats) const;
-  void expand(Frontier& frontier, const Frontier::Entry& next, Quest& quest);
+  [[nodiscard]] std::vector<std::size_t> foremost(const Ranked& ranked) const;
 
   const Terrain& terrain_;
   std::vector<Track> tracks_;

@@ -26,7 +26,8 @@ struct Point {
 
 inline double dot(Point a, Point b) { return a.x_m * b.x_m + a.y_m * b.y_m; }
 inline double cross(Point a, Point b) { return a.x_m * b.y_m - a.y_m * b.x_m; }
-inline double length_m(Point a) { return std::hypot(a.x_m, a.y_m); }
+/// Of places on a field nothing overflows: std::hypot, which guards against that, takes ten times as long.
+inline double length_m(Point a) { return std::sqrt(a.x_m * a.x_m + a.y_m * a.y_m); }
 inline double distance_m(Point a, Point b) { return length_m(b - a); }
 inline Point unit(double heading_rad) { return {std::cos(heading_rad), std::sin(heading_rad)}; }
 /// `a` turned by a quarter to the left.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "frontier.hpp"
+#include "guide.hpp"
+#include "roads.hpp"
+
+namespace selion {
+
+/// One search for a way over the roads: weighted A* (Pohl 1970), edges worked out when they come up. Its
+/// nodes are the stations, then the places to set out from, then the goals.
+class Quest {
+ public:
+  Quest(Roads& roads, const Pose& from, const std::vector<Pose>& goals, const std::vector<Path>& retreats);
+
+  std::optional<Arrival> way();
+
+ private:
+  /// Where it sets out: `from`, or the end of a retreat. The turns from there are looked for when it comes
+  /// up.
+  struct Start {
+    Pose pose;
+    Link retreat;
+    std::optional<Roads::Links> turns;
+  };
+  /// Where a last turn may lead: a goal, or a place from which it is run into backwards.
+  struct End {
+    std::size_t goal = 0;
+    Pose pose;
+    Path run;
+    double run_m = 0;  ///< what that costs
+    bool joined = false;
+  };
+
+  [[nodiscard]] std::size_t first_goal() const { return roads_.size() + starts_.size(); }
+  [[nodiscard]] const Pose& pose(std::size_t node) const;
+  void add_start(const Pose& at, const Path& retreat);
+  void add_ends(std::size_t goal);
+  [[nodiscard]] double crow_m(Point at) const;
+  [[nodiscard]] double dubins_m(const Pose& at) const;
+  double rest_m(std::size_t node);
+  [[nodiscard]] bool leaves_by_turns(std::size_t node) const;
+  Roads::Links& turns_of(Start& start);
+  void join(std::size_t end);
+  void join_near(Point at);
+  void propose(std::size_t from, Link& link) { frontier_.propose(from, link, rest_m(link.to)); }
+  void expand(const Frontier::Entry& next);
+  void leave(std::size_t node);
+  [[nodiscard]] Arrival arrival(std::size_t goal) const;
+  std::optional<Arrival> beyond();
+
+  Roads& roads_;
+  const Terrain& terrain_;
+  const std::vector<Pose>& goals_;
+  std::deque<Start> starts_;
+  std::deque<End> ends_;
+  std::deque<Link> end_links_;
+  std::unordered_map<std::size_t, std::vector<Link*>> to_ends_;  // from a station
+  std::unordered_map<std::size_t, double> rest_m_;
+  std::optional<Guide> guide_;  // over a long way
+  Frontier frontier_;
+};
+
+}  // namespace selion
