@@ -10,6 +10,7 @@ namespace selion {
 namespace {
 
 constexpr double kRounding_m = 1e-9;
+constexpr double kLonger = 4;  // radii: a turn so much longer than its Dubins path leads round by elsewhere
 
 }  // namespace
 
@@ -18,15 +19,16 @@ Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, con
   link.to = to;
   link.start = start;
   link.end = end;
-  link.least_m = dubins_length_m(start, end, 1 / terrain.limits.curvature_per_m);
+  link.turn_m = dubins_length_m(start, end, 1 / terrain.limits.curvature_per_m);
+  link.least_m = link.turn_m;
   return link;
 }
 
 void work_out(const Terrain& terrain, Link& link) {
   if (link.worked_out) return;
   link.worked_out = true;
-  auto turn =
-      direct_turn(terrain, terrain.swings, link.start, link.end, std::numeric_limits<double>::infinity());
+  auto turn = direct_turn(terrain, terrain.swings, link.start, link.end,
+                          link.turn_m + kLonger / terrain.limits.curvature_per_m);
   if (!turn) return;
   link.path = std::move(*turn);
   if (link.after != nullptr) append(link.path, *link.after);

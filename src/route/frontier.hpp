@@ -20,6 +20,7 @@ struct Link {
   Pose start;
   Pose end;
   const Path* after = nullptr;  ///< driven after the turn; outlives the link
+  double turn_m = 0;            ///< the turn is no shorter
   double least_m = 0;           ///< it costs no less
   bool worked_out = false;
   Path path;                                                ///< empty where there is none

@@ -11,7 +11,7 @@ namespace selion {
 namespace {
 
 constexpr std::size_t kMostVisited = 100000;
-constexpr double kGreed = 1.3;             // weight of the distance to go: within this factor of the best
+constexpr double kGreed = 1.6;             // weight of the distance to go: within this factor of the best
 constexpr std::size_t kBackedInto = 4;     // goals: of more, some can be driven into forwards
 constexpr double kFarthestBeyond_m = 150;  // of a straight run backwards into a pose
 constexpr double kFar = 8;                 // reaches: further off, dearer ground counts
@@ -164,10 +164,14 @@ std::optional<Arrival> Quest::way() {
 /// Through the ground between the roads: from all places that they lead to.
 std::optional<Arrival> Quest::beyond() {
   const std::vector<std::size_t> reached = frontier_.reached();
+  if (roads_.searched_in_vain(goals_, reached)) return std::nullopt;
   std::vector<Pose> departures{starts_.front().pose};
   for (const std::size_t node : reached) departures.push_back(pose(node));
   auto found = searched(terrain_, departures, goals_);
-  if (!found) return std::nullopt;
+  if (!found) {
+    roads_.remember_in_vain(goals_, reached);
+    return std::nullopt;
+  }
   Path whole = found->departure == 0 ? Path{} : frontier_.way_to(reached[found->departure - 1]);
   append(whole, found->arrival.way);
   return Arrival{found->arrival.goal, std::move(whole)};

@@ -29,6 +29,11 @@ double guess_m(const Pose& from, const Pose& to, double radius_m) {
                              std::abs(wrapped(to.heading_rad - bearing)));
 }
 
+/// In whatever order.
+bool same_places(const std::vector<Pose>& a, const std::vector<Pose>& b) {
+  return std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
+}
+
 }  // namespace
 
 Roads::Roads(const Terrain& terrain, std::vector<Track> tracks)
@@ -134,6 +139,19 @@ Roads::Links& Roads::turns_from(std::size_t node) {
     for (const std::size_t other : likely_after(pose(node), nodes_[node].track))
       known->second.push_back(link_between(terrain_, other, pose(node), pose(other)));
   return known->second;
+}
+
+bool Roads::searched_in_vain(const std::vector<Pose>& goals, const std::vector<std::size_t>& reached) const {
+  const auto stations_end = std::lower_bound(reached.begin(), reached.end(), nodes_.size());
+  return stations_end != reached.begin() &&
+         std::any_of(in_vain_.begin(), in_vain_.end(), [&](const auto& known) {
+           return same_places(known.first, goals) &&
+                  std::includes(known.second.begin(), known.second.end(), reached.begin(), stations_end);
+         });
+}
+
+void Roads::remember_in_vain(const std::vector<Pose>& goals, std::vector<std::size_t> reached) {
+  in_vain_.emplace_back(goals, std::move(reached));
 }
 
 std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goals,

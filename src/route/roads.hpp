@@ -69,6 +69,11 @@ class Roads {
   /// To stations of other lines.
   Links& turns_from(std::size_t node);
 
+  /// Has the ground been searched in vain for a way to these goals, from all stations that are `reached` now?
+  [[nodiscard]] bool searched_in_vain(const std::vector<Pose>& goals,
+                                      const std::vector<std::size_t>& reached) const;
+  void remember_in_vain(const std::vector<Pose>& goals, std::vector<std::size_t> reached);
+
  private:
   struct Node {
     Pose pose;
@@ -90,6 +95,7 @@ class Roads {
   std::unordered_map<long long, std::vector<std::size_t>> cells_;
   std::unordered_map<std::size_t, Links> turns_;
   std::unordered_map<std::size_t, Links> next_;
+  std::vector<std::pair<std::vector<Pose>, std::vector<std::size_t>>> in_vain_;
 };
 
 }  // namespace selion
