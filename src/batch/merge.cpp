@@ -96,6 +96,7 @@ BatchCount tables_of(const fs::path& folder, const Shards& shards, const fs::pat
       journal.read(line.data(), static_cast<std::streamsize>(line.size()));
       const BatchResult result = result_of_line(line);
       ++count.by_status.at(static_cast<std::size_t>(result.status));
+      count.summary.take(result);
       take(result);
     }
   });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include "options.hpp"
 #include "selion/batch/run.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "selion/core/json_writer.hpp"
 #include "selion/plan/job_file.hpp"
 #include "terminal.hpp"
@@ -103,6 +105,45 @@ class Ticker {
   double first_share_ = -1;
 };
 
+struct Share {
+  double share;
+  const char* key;
+  const char* words;
+};
+constexpr auto kShares = std::to_array<Share>({{0, "least", "least"},
+                                               {0.01, "1_percent", "1 % of them at most"},
+                                               {0.1, "10_percent", "10 % at most"},
+                                               {0.5, "median", "half at most"},
+                                               {0.9, "90_percent", "90 % at most"}});
+
+void add_summary(JsonWriter& json, const BatchSummary& summary) {
+  json.key("covered_percent").begin_object(JsonSpread::line);
+  for (const Share& share : kShares)
+    if (const auto percent = summary.covered_percent(share.share)) json.key(share.key).number(*percent, 1);
+  json.end().key("without_plan").begin_object(JsonSpread::line);
+  for (const auto& [reason, times] : summary.reasons()) json.key(reason).whole(static_cast<long long>(times));
+  json.end().key("checked").whole(static_cast<long long>(summary.checked()));
+  json.key("check_failed").whole(static_cast<long long>(summary.check_failed()));
+}
+
+std::string summary_text(const BatchSummary& summary) {
+  std::string text;
+  if (summary.planned() > 0) {
+    text += "  covered, of fields with a plan: ";
+    for (const Share& share : kShares)
+      text += std::string{share.words} + " " + fixed(*summary.covered_percent(share.share), 1) +
+              (&share == &kShares.back() ? " %\n" : " %, ");
+  }
+  std::string reasons;
+  for (const auto& [reason, times] : summary.reasons())
+    reasons += (reasons.empty() ? "" : ", ") + std::to_string(times) + " " + reason;
+  if (!reasons.empty()) text += "  without a plan: " + reasons + "\n";
+  if (summary.checked() > 0)
+    text += "  the independent check: " + std::to_string(summary.checked() - summary.check_failed()) +
+            " plans pass, " + std::to_string(summary.check_failed()) + " fail\n";
+  return text;
+}
+
 std::string json_of(const BatchCount& count, const std::string& folder) {
   JsonWriter json;
   json.begin_object(JsonSpread::line).key("folder").text(folder);
@@ -110,6 +151,7 @@ std::string json_of(const BatchCount& count, const std::string& folder) {
   for (std::size_t i = 0; i < kBatchStatusNames.size(); ++i)
     json.key(kBatchStatusNames.at(i)).whole(static_cast<long long>(count.by_status.at(i)));
   json.key("finished").raw(count.stopped ? "false" : "true");
+  if (count.tables) add_summary(json, count.summary);
   return json.end().str() + "\n";
 }
 
@@ -120,9 +162,20 @@ std::string text_of(const BatchCount& count, const std::string& folder) {
             std::string{kBatchStatusNames.at(i)};
   text += "\n";
   if (!count.tables) return text;
+  text += summary_text(count.summary);
   text += "  in " + printable((std::filesystem::path{folder} / "").string()) + ": ";
   for (const std::string_view table : kBatchTables) text += std::string{table} + ", ";
   return text + "plans\n";
+}
+
+/// Ends with 4 where the check found a fault in a plan.
+int checked(const BatchCount& count, Terminal& terminal) {
+  constexpr int kCheckFailed = 4;
+  const std::size_t failed = count.summary.check_failed();
+  if (failed == 0) return 0;
+  terminal.warning(std::to_string(failed) + (failed == 1 ? " plan does not pass" : " plans do not pass") +
+                   " the independent check: column verified says why; do not drive them");
+  return kCheckFailed;
 }
 
 void say_what_is_next(const BatchCount& count, const BatchOptions& options, Terminal& terminal) {
@@ -152,7 +205,7 @@ int run_fields(const BatchCommand& command, Terminal& terminal) {
                     }});
   terminal.result(command.json ? json_of(count, command.folder) : text_of(count, command.folder));
   say_what_is_next(count, options, terminal);
-  return count.stopped ? kInterrupted : 0;
+  return count.stopped ? kInterrupted : checked(count, terminal);
 }
 
 int run_command(const BatchCommand& command) {
@@ -165,7 +218,7 @@ int run_command(const BatchCommand& command) {
   if (!command.merge) return run_fields(command, terminal);
   const BatchCount count = merge_batch(command.folder, earlier_of(command));
   terminal.result(command.json ? json_of(count, command.folder) : text_of(count, command.folder));
-  return 0;
+  return checked(count, terminal);
 }
 
 }  // namespace

@@ -31,7 +31,23 @@ int passes_for(const Ground& ground, double depth_m) {
   return passes;
 }
 
+/// Without a headland: of ground that a swath could be laid on, and how far the machine reaches along it.
+Infeasible no_swath(const Ground& ground, const Polygons& all) {
+  const Machine& machine = ground.machine;
+  const double need = 2 * (ground.edge_margin_m + ground.half_m);
+  const double have = widest_m(all);
+  const double length =
+      std::max(machine.front_m, machine.tool_x_m) + std::max(machine.rear_m, -machine.tool_x_m);
+  const std::string swath = "a swath needs straight ground " + fixed(need, 1) + " m wide and more than " +
+                            fixed(length, 1) + " m long, the block is " + fixed(have, 1) +
+                            " m wide at its widest place";
+  if (have < need) return Infeasible{"too narrow: " + swath + "; a narrower machine may do"};
+  return Infeasible{"too small or too crooked: " + swath +
+                    " and no swath fits there; a smaller machine or another direction may do"};
+}
+
 Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, double depth_m) {
+  if (passes == 0) return no_swath(ground, all);
   const double need = 2 * (ground.edge_margin_m + mainland_inset_m(ground, passes));
   return Infeasible{
       "too narrow: the headlands need " + fixed(need, 1) + " m of width (" + std::to_string(passes) +
@@ -42,6 +58,11 @@ Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, dou
 }
 
 }  // namespace
+
+int passes_for_turns(const Block& block, const Machine& machine, const LayoutOptions& options) {
+  return passes_for(ground_of(block, machine, options.edge_margin_m),
+                    turn_depth_m(machine, machine.working_width_m - options.overlap_m));
+}
 
 Result<Layout> lay_linear(const Block& block, const Machine& machine, const LayoutOptions& options) {
   const Ground ground = ground_of(block, machine, options.edge_margin_m);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "coverage.hpp"
 #include "selion/core/format.hpp"
 #include "selion/core/units.hpp"
 #include "selion/core/version.hpp"
@@ -210,7 +209,7 @@ BlockReport report_of(const PlannedBlock& planned, const Drive& drive, const Loc
   BlockReport report;
   report.number = planned.block.number;
   report.area_m2 = area_m2(planned.block.area);
-  report_coverage(report, coverage_of(planned.block, planned.layout, planned.route, job.machine), frame);
+  report_coverage(report, planned.coverage, frame);
   report_layout(report, planned.layout, frame);
   report.swaths = strips_driven(planned.layout, planned.route);
   count_pieces(report, planned.route);

@@ -2,16 +2,13 @@
 #include "selion/plan/plan.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "coverage.hpp"
 #include "describe.hpp"
+#include "layout_options.hpp"
 #include "records.hpp"
 #include "selion/core/error.hpp"
-#include "selion/core/format.hpp"
-#include "selion/core/units.hpp"
 #include "selion/field/frame.hpp"
-#include "selion/geometry/simplify.hpp"
 #include "selion/layout/layout.hpp"
 #include "selion/layout/zones.hpp"
 #include "selion/plan/job_file.hpp"
@@ -41,60 +38,6 @@ LocalFrame frame_of(const Field& field, const Job& job) {
                                  : LocalFrame::of_crs(job.frame.crs, centre(field));
 }
 
-/// A compass heading in the local frame, whose north leans by the convergence.
-double local_heading_rad(const LocalFrame& frame, Point at, double bearing_deg) {
-  return radians_of_degrees(90 - bearing_deg + frame.convergence_deg(at));
-}
-
-/// Sets direction and heading as `layout.direction` says.
-std::optional<Infeasible> choose_direction(LayoutOptions& options, const Block& block,
-                                           const LocalFrame& frame, const Job& job) {
-  const std::string& how = job.layout.direction;
-  if (how == "edge") {
-    // steps and wiggles smaller than half the working width cost no swath piece: they must not choose
-    options.along = best_edge_direction(simplified(block.area, job.machine.working_width_m / 2));
-  } else if (how == "p3") {
-    const auto found = p3_direction(block.area);
-    if (!found) return found.error();
-    options.along = found->along;
-  } else {
-    double bearing = 0;
-    std::from_chars(how.data(), how.data() + how.size(), bearing);  // the job was validated
-    options.heading_rad = local_heading_rad(frame, centroid(block.area), bearing);
-    options.along = DrivingDirection::radians(*options.heading_rad);
-  }
-  return std::nullopt;
-}
-
-/// @throws InputError where the line lies nowhere near the block.
-AbLine ab_line_of(const Block& block, const LocalFrame& frame, const std::array<double, 4>& given) {
-  constexpr double kFar_m = 10'000;
-  const auto& [lon_a, lat_a, lon_b, lat_b] = given;
-  const AbLine ab{frame.to_local({lon_a, lat_a}), frame.to_local({lon_b, lat_b})};
-  const double far_m =
-      std::min(distance_m(ab.a, centroid(block.area)), distance_m(ab.b, centroid(block.area)));
-  if (!(far_m < kFar_m))
-    throw InputError{
-        "layout.ab lies more than 10 km from the field: give A and B as lon,lat,lon,lat; are "
-        "longitude and latitude swapped?"};
-  return ab;
-}
-
-Result<LayoutOptions> layout_options(const Block& block, const LocalFrame& frame, const Job& job) {
-  LayoutOptions options;
-  options.ab_shift_m = job.layout.ab_shift_m;
-  options.overlap_m = job.layout.overlap_m;
-  options.edge_margin_m = job.field.edge_margin_m;
-  options.passes = job.headland.passes;
-  options.corners = job.headland.corners;
-  if (job.layout.ab) {
-    options.ab = ab_line_of(block, frame, *job.layout.ab);
-    return options;
-  }
-  if (const auto why = choose_direction(options, block, frame, job)) return *why;
-  return options;
-}
-
 Result<Layout> lay_out(const Block& block, const LocalFrame& frame, const Job& job) {
   const auto options = layout_options(block, frame, job);
   if (!options) return options.error();
@@ -119,23 +62,59 @@ Result<PlannedBlock> plan_as_told(const Block& block, const LocalFrame& frame, c
   if (!layout) return layout.error();
   auto driven = route(block, *layout, job.machine, route_options(block, job), progress);
   if (!driven) return driven.error();
-  return PlannedBlock{block, std::move(*layout), std::move(*driven)};
+  Coverage coverage = coverage_of(block, *layout, *driven, job.machine);
+  return PlannedBlock{block, std::move(*layout), std::move(*driven), std::move(coverage)};
 }
 
-double covered_m2(const PlannedBlock& planned, const Machine& machine) {
-  return coverage_of(planned.block, planned.layout, planned.route, machine).covered_m2;
+bool well_covered(const PlannedBlock& planned) {
+  constexpr double kWell = 0.9;
+  return planned.coverage.covered_m2 >= kWell * area_m2(planned.block.area);
+}
+
+bool covers_more(const Result<PlannedBlock>& a, const Result<PlannedBlock>& b) {
+  return a && (!b || a->coverage.covered_m2 > b->coverage.covered_m2);
+}
+
+std::string fewer_note(int passes, int needed) {
+  return "It is planned with " + std::to_string(passes) +
+         (passes == 1 ? " headland pass" : " headland passes") + " instead of the " + std::to_string(needed) +
+         " that turns need: inside those lies no swath.";
+}
+
+/// Of a block too narrow for as many headland passes as turns need: with the most that leave it well covered,
+/// else with those that cover most.
+Result<PlannedBlock> plan_inside_fewer(const Block& block, const LocalFrame& frame, Job job,
+                                       const Progress& progress) {
+  const auto options = layout_options(block, frame, job);
+  if (!options) return options.error();
+  const int needed = passes_for_turns(block, job.machine, *options);
+  std::optional<Result<PlannedBlock>> best;
+  for (int passes = needed - 1; passes >= 0 && !(best && *best && well_covered(**best)); --passes) {
+    job.headland.passes = passes;
+    auto other = plan_as_told(block, frame, job, progress);
+    if (other) other->route.notes.push_back(fewer_note(passes, needed));
+    if (!best || !*best || covers_more(other, *best)) best = std::move(other);
+  }
+  return std::move(*best);
+}
+
+/// With as many headland passes as the job says, or turns need.
+Result<PlannedBlock> plan_with_headland(const Block& block, const LocalFrame& frame, const Job& job,
+                                        const Progress& progress) {
+  auto planned = plan_as_told(block, frame, job, progress);
+  if (planned || job.headland.passes) return planned;
+  return plan_inside_fewer(block, frame, job, progress);
 }
 
 /// Corners are filled where that covers more: what it takes to fill them may be in the way of other work.
 Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, const Job& job,
                                 const Progress& progress) {
-  auto planned = plan_as_told(block, frame, job, progress);
+  auto planned = plan_with_headland(block, frame, job, progress);
   if (job.headland.corners == HeadlandCorners::round) return planned;
   Job rounded = job;
   rounded.headland.corners = HeadlandCorners::round;
-  auto other = plan_as_told(block, frame, rounded, progress);
-  if (!other || (planned && covered_m2(*planned, job.machine) >= covered_m2(*other, job.machine)))
-    return planned;
+  auto other = plan_with_headland(block, frame, rounded, progress);
+  if (!covers_more(other, planned)) return planned;
   other->route.notes.emplace_back("Its corners are rounded: filling them would leave more ground unworked.");
   return other;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coverage.hpp"
 #include "drive.hpp"
 #include "selion/field/block.hpp"
 #include "selion/field/frame.hpp"
@@ -17,6 +18,7 @@ struct PlannedBlock {
   Block block;
   Layout layout;
   Route route;
+  Coverage coverage;
 };
 
 LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area);

@@ -10,6 +10,7 @@
 
 #include "selion/batch/result.hpp"
 #include "selion/batch/shard.hpp"
+#include "selion/batch/summary.hpp"
 #include "selion/field/block.hpp"
 #include "selion/field/read.hpp"
 #include "selion/plan/job.hpp"
@@ -54,6 +55,7 @@ struct BatchCount {
   std::size_t numbers = 0;                                        ///< in the whole batch
   bool stopped = false;                                           ///< before all had a result
   bool tables = false;                                            ///< whether they were written
+  BatchSummary summary;                                           ///< of the tables
 
   [[nodiscard]] std::size_t total() const;
 };

@@ -88,6 +88,9 @@ struct LayoutOptions {
   friend bool operator==(const LayoutOptions&, const LayoutOptions&) = default;
 };
 
+/// How many headland passes it takes for a U-turn to stay inside.
+int passes_for_turns(const Block& block, const Machine& machine, const LayoutOptions& options);
+
 /// Of the axle while the tool works from `from` to `to`: the axle runs ahead by the tool's place behind it.
 Path swath_path(const Machine& machine, Point from, Point to);
 
