@@ -54,6 +54,37 @@ TEST_CASE("every field of a batch has one result", "[batch]") {
   CHECK_FALSE(files.contains("plans/0000/3_field,_3.geojson"));
 }
 
+TEST_CASE("a batch is summed up in a few figures", "[batch]") {
+  BatchSummary summary;
+  CHECK_FALSE(summary.covered_percent(0.5));
+  BatchResult result;
+  result.area_m2 = 1000;
+  for (int percent = 1; percent <= 100; ++percent) {
+    result.figures = BatchFigures{.covered_m2 = 10.0 * percent + 0.5};
+    result.verified = percent == 7 ? "failed: outside" : percent > 90 ? "" : "passed";
+    summary.take(result);
+  }
+  result.figures.reset();
+  for (const auto* reason : {"too narrow: a swath needs 3.6 m", "block 2: too narrow: a swath needs 5 m",
+                             "gate 1 is 1.50 m wide"}) {
+    result.status = BatchStatus::infeasible;
+    result.reason = reason;
+    summary.take(result);
+  }
+  result.status = BatchStatus::error;
+  summary.take(result);
+
+  CHECK(summary.planned() == 100);
+  CHECK(summary.covered_percent(0) == 1.0);
+  CHECK(summary.covered_percent(0.1) == 10.0);
+  CHECK(summary.covered_percent(0.5) == 50.0);
+  CHECK(summary.covered_percent(1) == 100.0);
+  CHECK(summary.checked() == 90);
+  CHECK(summary.check_failed() == 1);
+  CHECK(summary.reasons() ==
+        std::map<std::string, std::size_t>{{"error", 1}, {"gate", 1}, {"too narrow", 2}});
+}
+
 TEST_CASE("a batch writes the plan that selion plan writes", "[batch]") {
   const BatchScratch scratch;
   const fs::path file = small_fields(scratch.at, 2);

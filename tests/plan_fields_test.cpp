@@ -203,11 +203,28 @@ TEST_CASE("an AB line fixes heading and phase", "[plan]") {
   }
 }
 
-TEST_CASE("a field too narrow for its headlands is refused by width", "[plan]") {
-  const Job job = job_of_toml("[machine]\npreset = \"tractor-12m\"\n");
-  const auto planned = plan(sample("narrow_neck.geojson"), job, Repair::notes_only, no_progress);
-  if (planned.has_value()) return;
-  CHECK(planned.error().reason.find("wide at its widest place") != std::string::npos);
+TEST_CASE("a strip too narrow for two headland passes is planned inside one", "[plan]") {
+  const Field strip = field_of_metres({{{{0, 0}, {300, 0}, {300, 11}, {0, 11}}, {}}});
+  const auto planned = plan(strip, Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, Machine{})) == "");
+  CHECK(planned->blocks.at(0).headland_passes == 1);
+  CHECK(planned->blocks.at(0).covered_m2 >= 0.9 * planned->blocks.at(0).area_m2);
+  CHECK(joined(planned->notes).find("1 headland pass instead of the 2 that turns need") != std::string::npos);
+
+  const Job two = job_of_toml("[headland]\npasses = 2\n");  // as told: no fewer
+  const auto refused = plan(strip, two, Repair::notes_only, no_progress);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().reason.find("the headlands need 12.6 m of width") != std::string::npos);
+  CHECK(refused.error().reason.find("the block is 11.0 m wide") != std::string::npos);
+}
+
+TEST_CASE("what is too narrow for one swath is refused by width", "[plan]") {
+  const Field path = field_of_metres({{{{0, 0}, {300, 0}, {300, 3.4}, {0, 3.4}}, {}}});
+  const auto planned = plan(path, Job{}, Repair::notes_only, no_progress);
+  REQUIRE_FALSE(planned.has_value());
+  CHECK(planned.error().reason.find("a swath needs straight ground 3.6 m wide") != std::string::npos);
+  CHECK(planned.error().reason.find("the block is 3.4 m wide") != std::string::npos);
 }
 
 TEST_CASE("blocks on both sides of a short neck share no ground", "[plan]") {

@@ -19,7 +19,8 @@ std::string kind_of(const BatchResult& result) {
     if (colon == std::string_view::npos) break;
     reason.remove_prefix(colon + 2);
   }
-  return std::string{reason.substr(0, reason.find_first_of(":;0123456789"))};
+  reason = reason.substr(0, reason.find_first_of(":;0123456789"));
+  return std::string{reason.substr(0, reason.find_last_not_of(' ') + 1)};
 }
 
 }  // namespace
