@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "test.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -25,6 +26,7 @@ bool skipped() {
 struct Tally {
   int planned = 0;
   int partial = 0;
+  int narrow = 0;  // of these: too narrow for the headland that turns need
   int refused = 0;
 };
 
@@ -45,6 +47,10 @@ void check(const Field& field, const Job& job, Tally& tally) {
     area_m2 += block.area_m2;
   }
   ++(covered_m2 >= 0.9 * area_m2 ? tally.planned : tally.partial);
+  const bool fewer = std::any_of(planned->notes.begin(), planned->notes.end(), [](const std::string& note) {
+    return note.find("that turns need") != std::string::npos;
+  });
+  if (covered_m2 < 0.9 * area_m2 && fewer) ++tally.narrow;
   std::printf("%-40s %10.0f m2 %6.2f %% covered\n", field.name.c_str(), area_m2, 100 * covered_m2 / area_m2);
   std::string faults;
   for (const std::string& fault : faults_of(*planned, job.machine)) faults += fault + "\n";
@@ -66,21 +72,22 @@ Tally check_all(const std::filesystem::path& file, HeadlandCorners corners) {
 
 }  // namespace
 
-TEST_CASE("small real fields are planned without a fault, or refused by width", "[plan]") {
+TEST_CASE("small real fields are planned without a fault, partly or not at all only where narrow", "[plan]") {
   if (skipped()) return;
   const auto name = GENERATE("quad_nz", "parallelogram_at", "l_shape_kh", "l_thin_arm_fi", "c_shape_nz",
                              "t_shape_dk", "sawtooth_fi", "strip_fr", "strip_9m_at", "tiny_quad_vn",
                              "tiny_arrow_pt", "ponds_dk", "y_shape_za");
-  CHECK(check_all(kPublic / (std::string{name} + ".geojson"), HeadlandCorners::round).partial == 0);
+  const Tally tally = check_all(kPublic / (std::string{name} + ".geojson"), HeadlandCorners::round);
+  CHECK(tally.partial == tally.narrow);
 }
 
-TEST_CASE("of thirty public fields at least 27 are planned, none with a fault", "[public]") {
+TEST_CASE("of thirty public fields 28 are planned, the others partly or not for want of width", "[public]") {
   if (skipped()) return;
   const auto corners = GENERATE(HeadlandCorners::round, HeadlandCorners::fill);
   const Tally tally = check_all(kPublic / "_all_public.geojson", corners);
-  CHECK(tally.planned >= 27);
-  CHECK(tally.partial == 0);
-  CHECK(tally.planned + tally.refused == 30);
+  CHECK(tally.planned >= 28);
+  CHECK(tally.partial == tally.narrow);
+  CHECK(tally.planned + tally.partial + tally.refused == 30);
 }
 
 TEST_CASE("authorities' own files are planned field by field without a fault", "[public]") {

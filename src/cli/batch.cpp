@@ -140,7 +140,7 @@ std::string summary_text(const BatchSummary& summary) {
   if (!reasons.empty()) text += "  without a plan: " + reasons + "\n";
   if (summary.checked() > 0)
     text += "  the independent check: " + std::to_string(summary.checked() - summary.check_failed()) +
-            " plans pass, " + std::to_string(summary.check_failed()) + " fail\n";
+            " passed, " + std::to_string(summary.check_failed()) + " failed\n";
   return text;
 }
 

@@ -46,15 +46,15 @@ Infeasible no_swath(const Ground& ground, const Polygons& all) {
                     " and no swath fits there; a smaller machine or another direction may do"};
 }
 
-Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, double depth_m) {
+Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, double depth_m, bool as_told) {
   if (passes == 0) return no_swath(ground, all);
   const double need = 2 * (ground.edge_margin_m + mainland_inset_m(ground, passes));
-  return Infeasible{
-      "too narrow: the headlands need " + fixed(need, 1) + " m of width (" + std::to_string(passes) +
-      (passes == 1 ? " pass" : " passes") + " of " + fixed(ground.machine.working_width_m, 2) +
-      " m on either side; a U-turn is " + fixed(depth_m, 1) + " m deep), the block is " +
-      fixed(widest_m(all), 1) +
-      " m wide at its widest place; a narrower or more agile machine, or fewer headland passes, may do"};
+  return Infeasible{"too narrow: the headlands need " + fixed(need, 1) + " m of width (" +
+                    std::to_string(passes) + (passes == 1 ? " pass" : " passes") + " of " +
+                    fixed(ground.machine.working_width_m, 2) + " m on either side; a U-turn is " +
+                    fixed(depth_m, 1) + " m deep), the block is " + fixed(widest_m(all), 1) +
+                    " m wide at its widest place; a narrower or more agile machine" +
+                    (as_told ? ", or fewer headland passes, may do" : " may do")};
 }
 
 }  // namespace
@@ -74,14 +74,17 @@ Result<Layout> lay_linear(const Block& block, const Machine& machine, const Layo
   layout.headland_depth_m = options.edge_margin_m + mainland_inset_m(ground, layout.passes);
   layout.mainland = inset(ground.workable, mainland_inset_m(ground, layout.passes));
   layout.headland = subtract({block.area}, layout.mainland);
-  if (layout.mainland.empty()) return too_narrow(ground, {block.area}, layout.passes, layout.turn_depth_m);
+  const auto refuse = [&] {
+    return too_narrow(ground, {block.area}, layout.passes, layout.turn_depth_m, options.passes.has_value());
+  };
+  if (layout.mainland.empty()) return refuse();
   if (layout.headland_depth_m < layout.turn_depth_m)
     layout.notes.push_back("the headland is " + fixed(layout.headland_depth_m, 1) +
                            " m deep, a U-turn needs " + fixed(layout.turn_depth_m, 1) +
                            " m: the machine has to turn by other ways");
   layout.headland_passes = lay_headland(ground, layout.passes);
   layout.swaths = lay_swaths(ground, layout.mainland, options, layout.ab);
-  if (layout.swaths.empty()) return too_narrow(ground, {block.area}, layout.passes, layout.turn_depth_m);
+  if (layout.swaths.empty()) return refuse();
   if (options.corners == HeadlandCorners::fill) fill_corners(ground, layout);
   layout.pockets = lay_pockets(ground, layout);
   return layout;

@@ -8,6 +8,7 @@
 #include "layout_options.hpp"
 #include "records.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "selion/field/frame.hpp"
 #include "selion/layout/layout.hpp"
 #include "selion/layout/zones.hpp"
@@ -66,9 +67,8 @@ Result<PlannedBlock> plan_as_told(const Block& block, const LocalFrame& frame, c
   return PlannedBlock{block, std::move(*layout), std::move(*driven), std::move(coverage)};
 }
 
-bool well_covered(const PlannedBlock& planned) {
-  constexpr double kWell = 0.9;
-  return planned.coverage.covered_m2 >= kWell * area_m2(planned.block.area);
+bool covers(const PlannedBlock& planned, double share) {
+  return planned.coverage.covered_m2 >= share * area_m2(planned.block.area);
 }
 
 bool covers_more(const Result<PlannedBlock>& a, const Result<PlannedBlock>& b) {
@@ -81,21 +81,30 @@ std::string fewer_note(int passes, int needed) {
          " that turns need: inside those lies no swath.";
 }
 
+Infeasible hardly_covered(const Infeasible& why, const PlannedBlock& best) {
+  const double percent = 100 * best.coverage.covered_m2 / area_m2(best.block.area);
+  return Infeasible{why.reason + "; with fewer passes only " + fixed(percent, 1) +
+                    " % of it would be covered"};
+}
+
 /// Of a block too narrow for as many headland passes as turns need: with the most that leave it well covered,
-/// else with those that cover most.
-Result<PlannedBlock> plan_inside_fewer(const Block& block, const LocalFrame& frame, Job job,
-                                       const Progress& progress) {
+/// else with those that cover most, unless that is hardly worth a plan.
+Result<PlannedBlock> plan_inside_fewer(const Infeasible& refused, const Block& block, const LocalFrame& frame,
+                                       Job job, const Progress& progress) {
+  constexpr double kWell = 0.9;
+  constexpr double kWorthIt = 0.5;
   const auto options = layout_options(block, frame, job);
   if (!options) return options.error();
   const int needed = passes_for_turns(block, job.machine, *options);
-  std::optional<Result<PlannedBlock>> best;
-  for (int passes = needed - 1; passes >= 0 && !(best && *best && well_covered(**best)); --passes) {
+  Result<PlannedBlock> best = refused;
+  for (int passes = needed - 1; passes >= 0 && !(best && covers(*best, kWell)); --passes) {
     job.headland.passes = passes;
     auto other = plan_as_told(block, frame, job, progress);
     if (other) other->route.notes.push_back(fewer_note(passes, needed));
-    if (!best || !*best || covers_more(other, *best)) best = std::move(other);
+    if (!best || covers_more(other, best)) best = std::move(other);
   }
-  return std::move(*best);
+  if (best && !covers(*best, kWorthIt)) return hardly_covered(refused, *best);
+  return best;
 }
 
 /// With as many headland passes as the job says, or turns need.
@@ -103,7 +112,7 @@ Result<PlannedBlock> plan_with_headland(const Block& block, const LocalFrame& fr
                                         const Progress& progress) {
   auto planned = plan_as_told(block, frame, job, progress);
   if (planned || job.headland.passes) return planned;
-  return plan_inside_fewer(block, frame, job, progress);
+  return plan_inside_fewer(planned.error(), block, frame, job, progress);
 }
 
 /// Corners are filled where that covers more: what it takes to fill them may be in the way of other work.
