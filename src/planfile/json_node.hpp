@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "json_value.hpp"
 #include "selion/core/point.hpp"
 
 namespace selion {
@@ -36,34 +36,14 @@ class JsonNode {
 
  private:
   friend class JsonDocument;
-  JsonNode(const void* value, std::string place, std::string path)
+  JsonNode(const JsonValue* value, std::string place, std::string path)
       : value_{value}, place_{std::move(place)}, path_{std::move(path)} {}
-  [[nodiscard]] JsonNode item(const void* value, std::size_t i) const;
+  [[nodiscard]] JsonNode item(const JsonValue& value, std::size_t i) const;
   void must_be(bool right, const char* what) const;
 
-  const void* value_;  // of the parser's type, which only the .cpp knows
+  const JsonValue* value_;
   std::string place_;  // "plan.geojson: feature 3 (swath)"
   std::string path_;   // "properties.pieces[4].gear"
 };
-
-class JsonDocument {
- public:
-  /// @throws InputError where `text` is not JSON, naming `where` and the byte.
-  JsonDocument(const std::string& text, const std::string& where);
-  JsonDocument(const JsonDocument&) = delete;
-  JsonDocument& operator=(const JsonDocument&) = delete;
-  JsonDocument(JsonDocument&&) = delete;
-  JsonDocument& operator=(JsonDocument&&) = delete;
-  ~JsonDocument();
-
-  [[nodiscard]] JsonNode root() const;
-
- private:
-  struct Held;
-  std::unique_ptr<Held> held_;
-  std::string where_;
-};
-
-bool is_json_object(const std::string& text);
 
 }  // namespace selion
