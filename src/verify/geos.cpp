@@ -100,6 +100,13 @@ Shape border_of(const Shape& area) { return held(GEOSBoundary_r(handle(), area.g
 Shape united(const std::vector<Shape>& shapes) {
   return held(GEOSUnaryUnion_r(handle(), collected(shapes).get()));
 }
+Shape dissolved(const std::vector<Shape>& polygons) {
+  constexpr int kPerQuarter = 1;  // nothing is rounded
+  // Grown by nothing: all borders are cut at once, where a union of one after another cuts them over and
+  // over.
+  Shape all = held(GEOSBuffer_r(handle(), collected(polygons).get(), 0, kPerQuarter));
+  return all ? all : united(polygons);
+}
 Shape convex_hull(std::span<const Point> points) {
   return held(GEOSConvexHull_r(handle(), line_through(points).get()));
 }

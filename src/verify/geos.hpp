@@ -32,6 +32,8 @@ Shape made_valid(const Shape& shape);
 Shape border_of(const Shape& area);
 /// Of all together; empty where there is none.
 Shape united(const std::vector<Shape>& shapes);
+/// The same of many valid polygons, in one pass.
+Shape dissolved(const std::vector<Shape>& polygons);
 /// Where two or more of them overlap.
 Shape overlaps(const std::vector<Shape>& shapes);
 Shape convex_hull(std::span<const Point> points);
