@@ -48,6 +48,8 @@ double distance_m(const Shape& a, const Shape& b);
 /// How far the farthest corner of `shape` lies from `from`.
 double farthest_m(const Shape& shape, const Shape& from);
 std::vector<Outline> outlines_of(const Shape& shape);
+/// Of lines and rings, these with the first corner again at their end.
+std::vector<std::vector<Point>> lines_of(const Shape& shape);
 /// A place inside; of an empty shape none.
 std::optional<Point> place_in(const Shape& shape);
 /// Polygons by area, largest first.
