@@ -104,8 +104,10 @@ class InsideCheck {
     const double middle = (from + to) / 2;
     const Sweep by = sweep(piece, from, to);
     const Outline4 all = swept(shape, by);
-    if (!border.touches(placed_corners(pose(piece, middle), all))) return std::nullopt;
-    if (all.front_m - shape.front_m + all.half_m - shape.half_m < kFine_m) return middle;
+    const Corners corners = placed_corners(pose(piece, middle), all);
+    if (border.clear_of(corners)) return std::nullopt;
+    if (all.front_m - shape.front_m + all.half_m - shape.half_m < kFine_m)
+      return border.touches(corners) ? std::optional{middle} : std::nullopt;
     if (const auto early = first_touch(piece, from, middle, shape, border)) return early;
     return first_touch(piece, middle, to, shape, border);
   }
