@@ -13,6 +13,7 @@ using namespace selion;
 TEST_CASE("what the writer makes of ASCII is read the short way", "[planfile][json]") {
   PlanFile plan = sample_plan();
   plan.warnings.clear();
+  plan.job_json = "{}";
   for (FieldRecord& field : plan.fields) field.name = "home", field.notes.clear();
   for (ObstacleRecord& obstacle : plan.obstacles) obstacle.name = "pond";
   for (GateRecord& gate : plan.gates) gate.name = "east";

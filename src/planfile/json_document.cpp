@@ -61,12 +61,13 @@ class Flattened {
 
 }  // namespace
 
-JsonDocument::JsonDocument(const std::string& text, const std::string& where) : where_{where} {
+JsonDocument::JsonDocument(const std::string& text, const std::string& where)
+    : where_{std::make_shared<const std::string>(where)} {
   if (auto plain = plain_values(text)) {
     values_ = *std::move(plain);
     return;
   }
-  Flattened{values_, texts_, where_}.add(parsed(text, where), {}, 0);
+  Flattened{values_, texts_, where}.add(parsed(text, where), {}, 0);
 }
 
 std::string named(const JsonValue& value) {

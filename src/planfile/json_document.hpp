@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@ class JsonDocument {
   JsonDocument& operator=(JsonDocument&&) = delete;
   ~JsonDocument() = default;
 
-  [[nodiscard]] JsonNode root() const { return {values_.data(), where_, ""}; }
+  [[nodiscard]] JsonNode root() const { return {values_.data(), values_.data(), where_}; }
 
  private:
-  std::string where_;
+  std::shared_ptr<const std::string> where_;
   std::vector<JsonValue> values_;
   std::deque<std::string> texts_;  ///< that do not stand in the file as they are meant
 };

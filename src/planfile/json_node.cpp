@@ -31,24 +31,41 @@ bool is_position(const JsonValue& value) {
 
 LonLat position_of(const JsonValue& value) { return {(&value)[1].number, (&value)[2].number}; }
 
+/// What is to be added to a path.
+std::string joined(const std::string& path, std::string_view key) {
+  return (path.empty() ? "" : ".") + std::string{key};
+}
+
 std::string must_be_text(const char* what, const JsonValue& value) {
   return std::string{"must be "} + what + ", not " + named(value);
 }
 
 }  // namespace
 
-void JsonNode::fail(const std::string& what) const {
-  throw InputError{place_ + ": " + (path_.empty() ? "" : "\"" + path_ + "\" ") + what};
+std::string JsonNode::path() const {
+  std::string path;
+  for (const JsonValue* outer = top_; outer != value_;) {
+    std::size_t i = 0;
+    const JsonValue* inner = outer + 1;
+    for (; inner + inner->all <= value_; inner += inner->all) ++i;
+    path += outer->kind == JsonKind::array ? "[" + std::to_string(i) + "]" : joined(path, inner->key);
+    outer = inner;
+  }
+  return path;
+}
+
+void JsonNode::fail(const std::string& what) const { fail_at(path(), what); }
+
+void JsonNode::fail_at(const std::string& path, const std::string& what) const {
+  throw InputError{*place_ + ": " + (path.empty() ? "" : "\"" + path + "\" ") + what};
 }
 
 void JsonNode::must_be(bool right, const char* what) const {
   if (!right) fail(must_be_text(what, *value_));
 }
 
-JsonNode JsonNode::called(const std::string& place) const { return {value_, place, ""}; }
-
-JsonNode JsonNode::item(const JsonValue& value, std::size_t i) const {
-  return {&value, place_, path_ + "[" + std::to_string(i) + "]"};
+JsonNode JsonNode::called(const std::string& place) const {
+  return {value_, value_, std::make_shared<const std::string>(place)};
 }
 
 std::optional<JsonNode> JsonNode::find(std::string_view key) const {
@@ -58,19 +75,19 @@ std::optional<JsonNode> JsonNode::find(std::string_view key) const {
     if (value.key == key) member = &value;  // of several the last one
   });
   if (member == nullptr) return std::nullopt;
-  return JsonNode{member, place_, path_.empty() ? std::string{key} : path_ + "." + std::string{key}};
+  return item(*member);
 }
 
 JsonNode JsonNode::at(std::string_view key) const {
   if (auto member = find(key)) return *std::move(member);
-  const std::string path = path_.empty() ? std::string{key} : path_ + "." + std::string{key};
-  JsonNode{nullptr, place_, path}.fail("is missing");
+  const std::string outer = path();
+  fail_at(outer + joined(outer, key), "is missing");
 }
 
 std::vector<JsonNode> JsonNode::items() const {
   must_be(value_->kind == JsonKind::array, "an array");
   std::vector<JsonNode> out;
-  for_each_in(*value_, [&](const JsonValue& value) { out.push_back(item(value, out.size())); });
+  for_each_in(*value_, [&](const JsonValue& value) { out.push_back(item(value)); });
   return out;
 }
 
@@ -97,7 +114,7 @@ std::vector<double> JsonNode::numbers() const {
   std::vector<double> out;
   out.reserve(value_->all - 1);
   for_each_in(*value_, [&](const JsonValue& value) {
-    out.push_back(is_number(value) ? value.number : item(value, out.size()).number());
+    out.push_back(is_number(value) ? value.number : item(value).number());
   });
   return out;
 }
@@ -107,7 +124,7 @@ std::vector<int> JsonNode::wholes(int low) const {
   std::vector<int> out;
   out.reserve(value_->all - 1);
   for_each_in(*value_, [&](const JsonValue& value) {
-    out.push_back(is_whole(value, low) ? static_cast<int>(value.number) : item(value, out.size()).whole(low));
+    out.push_back(is_whole(value, low) ? static_cast<int>(value.number) : item(value).whole(low));
   });
   return out;
 }
@@ -122,7 +139,7 @@ std::vector<LonLat> JsonNode::positions() const {
   std::vector<LonLat> out;
   out.reserve(value_->all / 3);
   for_each_in(*value_, [&](const JsonValue& value) {
-    out.push_back(is_position(value) ? position_of(value) : item(value, out.size()).position());
+    out.push_back(is_position(value) ? position_of(value) : item(value).position());
   });
   return out;
 }

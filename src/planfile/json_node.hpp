@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,14 +37,16 @@ class JsonNode {
 
  private:
   friend class JsonDocument;
-  JsonNode(const JsonValue* value, std::string place, std::string path)
-      : value_{value}, place_{std::move(place)}, path_{std::move(path)} {}
-  [[nodiscard]] JsonNode item(const JsonValue& value, std::size_t i) const;
+  JsonNode(const JsonValue* value, const JsonValue* top, std::shared_ptr<const std::string> place)
+      : value_{value}, top_{top}, place_{std::move(place)} {}
+  [[nodiscard]] JsonNode item(const JsonValue& value) const { return {&value, top_, place_}; }
+  [[nodiscard]] std::string path() const;  // "properties.pieces[4].gear"
+  [[noreturn]] void fail_at(const std::string& path, const std::string& what) const;
   void must_be(bool right, const char* what) const;
 
   const JsonValue* value_;
-  std::string place_;  // "plan.geojson: feature 3 (swath)"
-  std::string path_;   // "properties.pieces[4].gear"
+  const JsonValue* top_;                      // where the path to it begins
+  std::shared_ptr<const std::string> place_;  // "plan.geojson: feature 3 (swath)"
 };
 
 }  // namespace selion

@@ -103,13 +103,24 @@ double Segments::farthest_m(std::span<const Point> places) const {
   double most = 0;
   std::size_t last = 0;
   for (const Point p : places) {
-    Nearest nearest{last, distance_m(segments_[last], p)};
+    Nearest nearest = followed(p, last);
+    last = nearest.segment;
     if (nearest.distance_m <= most) continue;  // the nearest is no farther
     look_for(p, levels_.size() - 1, 0, nearest);
     last = nearest.segment;
     most = std::max(most, nearest.distance_m);
   }
   return most;
+}
+
+Segments::Nearest Segments::followed(Point p, std::size_t from) const {
+  Nearest nearest{from, distance_m(segments_[from], p)};
+  for (std::size_t i = from + 1; i < segments_.size(); ++i) {
+    const double off = distance_m(segments_[i], p);
+    if (off > nearest.distance_m) break;
+    nearest = {i, off};
+  }
+  return nearest;
 }
 
 void Segments::look_for(Point p, std::size_t level, std::size_t i, Nearest& nearest) const {

@@ -44,6 +44,8 @@ class Segments {
   };
   [[nodiscard]] bool clear_of(const Corners& corners, const Box& around, std::size_t level,
                               std::size_t i) const;
+  /// Of a segment and those behind it, as long as they come nearer.
+  [[nodiscard]] Nearest followed(Point p, std::size_t from) const;
   void look_for(Point p, std::size_t level, std::size_t i, Nearest& nearest) const;
   [[nodiscard]] std::size_t end_of(std::size_t level, std::size_t i) const;
 
