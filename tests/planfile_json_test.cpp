@@ -22,7 +22,7 @@ TEST_CASE("what the writer makes of ASCII is read the short way", "[planfile][js
 
 TEST_CASE("both ways of reading read the same", "[planfile][json]") {
   const std::string text = to_geojson(sample_plan());
-  const std::string escaped = replaced(text, "\"FeatureCollection\"", "\"Feature\\u0043ollection\"");
+  const std::string escaped = replaced(text, R"("FeatureCollection")", R"("Feature\u0043ollection")");
   CHECK_FALSE(plain_values(escaped));
   CHECK(plan_from_geojson(text, "plain") == plan_from_geojson(escaped, "escaped"));
 }

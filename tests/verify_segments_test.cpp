@@ -82,6 +82,7 @@ TEST_CASE("the farthest place is as far as GEOS says", "[verify][segments]") {
 TEST_CASE("polygons dissolved are those united", "[verify][segments]") {
   std::mt19937 random{13};
   std::vector<Shape> shapes;
+  shapes.reserve(65);
   for (int i = 0; i < 60; ++i) shapes.push_back(polygon_of(some_rectangle(random)));
   for (int i = 0; i < 5; ++i) shapes.push_back(polygon_of(star(40, random)));
   const Shape all = dissolved(shapes);
