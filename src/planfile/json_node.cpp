@@ -3,142 +3,145 @@
 
 #include <limits>
 
-#include <nlohmann/json.hpp>
-
+#include "json_document.hpp"
 #include "selion/core/error.hpp"
 
 namespace selion {
 namespace {
 
-using Json = nlohmann::json;
-
-const Json& json(const void* value) { return *static_cast<const Json*>(value); }
-
-bool is_whole(const Json& value, int low) {
-  return value.is_number_integer() && value >= low && value <= std::numeric_limits<int>::max();
+bool is_number(const JsonValue& value) {
+  return value.kind == JsonKind::number || value.kind == JsonKind::whole;
 }
 
-bool is_position(const Json& value) {
-  return value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
+bool is_whole(const JsonValue& value, int low) {
+  return value.kind == JsonKind::whole && value.number >= low &&
+         value.number <= std::numeric_limits<int>::max();
 }
 
-LonLat position_of(const Json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
+/// Calls `use` with each value that stands in an array or object itself.
+template <class Use>
+void for_each_in(const JsonValue& value, Use use) {
+  const JsonValue* end = &value + value.all;
+  for (const JsonValue* inner = &value + 1; inner != end; inner += inner->all) use(*inner);
+}
 
-std::string must_be_text(const char* what, const Json& value) {
-  const bool is_short = value.is_primitive() && !value.is_string();
-  return std::string{"must be "} + what + ", not " +
-         (is_short ? value.dump() : std::string{"of type "} + value.type_name());
+bool is_position(const JsonValue& value) {
+  return value.kind == JsonKind::array && value.all == 3 && is_number((&value)[1]) && is_number((&value)[2]);
+}
+
+LonLat position_of(const JsonValue& value) { return {(&value)[1].number, (&value)[2].number}; }
+
+/// What is to be added to a path.
+std::string joined(const std::string& path, std::string_view key) {
+  return (path.empty() ? "" : ".") + std::string{key};
+}
+
+std::string must_be_text(const char* what, const JsonValue& value) {
+  return std::string{"must be "} + what + ", not " + named(value);
 }
 
 }  // namespace
 
-void JsonNode::fail(const std::string& what) const {
-  throw InputError{place_ + ": " + (path_.empty() ? "" : "\"" + path_ + "\" ") + what};
+std::string JsonNode::path() const {
+  std::string path;
+  for (const JsonValue* outer = top_; outer != value_;) {
+    std::size_t i = 0;
+    const JsonValue* inner = outer + 1;
+    for (; inner + inner->all <= value_; inner += inner->all) ++i;
+    path += outer->kind == JsonKind::array ? "[" + std::to_string(i) + "]" : joined(path, inner->key);
+    outer = inner;
+  }
+  return path;
+}
+
+void JsonNode::fail(const std::string& what) const { fail_at(path(), what); }
+
+void JsonNode::fail_at(const std::string& path, const std::string& what) const {
+  throw InputError{*place_ + ": " + (path.empty() ? "" : "\"" + path + "\" ") + what};
 }
 
 void JsonNode::must_be(bool right, const char* what) const {
-  if (!right) fail(must_be_text(what, json(value_)));
+  if (!right) fail(must_be_text(what, *value_));
 }
 
-JsonNode JsonNode::called(const std::string& place) const { return {value_, place, ""}; }
-
-JsonNode JsonNode::item(const void* value, std::size_t i) const {
-  return {value, place_, path_ + "[" + std::to_string(i) + "]"};
+JsonNode JsonNode::called(const std::string& place) const {
+  return {value_, value_, std::make_shared<const std::string>(place)};
 }
 
 std::optional<JsonNode> JsonNode::find(std::string_view key) const {
-  must_be(json(value_).is_object(), "an object");
-  const auto member = json(value_).find(std::string{key});
-  if (member == json(value_).end()) return std::nullopt;
-  return JsonNode{&*member, place_, path_.empty() ? std::string{key} : path_ + "." + std::string{key}};
+  must_be(value_->kind == JsonKind::object, "an object");
+  const JsonValue* member = nullptr;
+  for_each_in(*value_, [&](const JsonValue& value) {
+    if (value.key == key) member = &value;  // of several the last one
+  });
+  if (member == nullptr) return std::nullopt;
+  return item(*member);
 }
 
 JsonNode JsonNode::at(std::string_view key) const {
   if (auto member = find(key)) return *std::move(member);
-  const std::string path = path_.empty() ? std::string{key} : path_ + "." + std::string{key};
-  JsonNode{nullptr, place_, path}.fail("is missing");
+  const std::string outer = path();
+  fail_at(outer + joined(outer, key), "is missing");
 }
 
 std::vector<JsonNode> JsonNode::items() const {
-  must_be(json(value_).is_array(), "an array");
+  must_be(value_->kind == JsonKind::array, "an array");
   std::vector<JsonNode> out;
-  for (const Json& value : json(value_)) out.push_back(item(&value, out.size()));
+  for_each_in(*value_, [&](const JsonValue& value) { out.push_back(item(value)); });
   return out;
 }
 
 std::string JsonNode::text() const {
-  must_be(json(value_).is_string(), "a string");
-  return json(value_).get<std::string>();
+  must_be(value_->kind == JsonKind::text, "a string");
+  return std::string{value_->text};
 }
 
 double JsonNode::number() const {
-  must_be(json(value_).is_number(), "a number");
-  return json(value_).get<double>();
+  must_be(is_number(*value_), "a number");
+  return value_->number;
 }
 
 int JsonNode::whole(int low) const {
-  if (!is_whole(json(value_), low)) {
+  if (!is_whole(*value_, low)) {
     const std::string what = "a whole number of at least " + std::to_string(low);
-    fail(must_be_text(what.c_str(), json(value_)));
+    fail(must_be_text(what.c_str(), *value_));
   }
-  return json(value_).get<int>();
+  return static_cast<int>(value_->number);
 }
 
 std::vector<double> JsonNode::numbers() const {
-  must_be(json(value_).is_array(), "an array");
+  must_be(value_->kind == JsonKind::array, "an array");
   std::vector<double> out;
-  out.reserve(json(value_).size());
-  for (const Json& value : json(value_))
-    out.push_back(value.is_number() ? value.get<double>() : item(&value, out.size()).number());
+  out.reserve(value_->all - 1);
+  for_each_in(*value_, [&](const JsonValue& value) {
+    out.push_back(is_number(value) ? value.number : item(value).number());
+  });
   return out;
 }
 
 std::vector<int> JsonNode::wholes(int low) const {
-  must_be(json(value_).is_array(), "an array");
+  must_be(value_->kind == JsonKind::array, "an array");
   std::vector<int> out;
-  out.reserve(json(value_).size());
-  for (const Json& value : json(value_))
-    out.push_back(is_whole(value, low) ? value.get<int>() : item(&value, out.size()).whole(low));
+  out.reserve(value_->all - 1);
+  for_each_in(*value_, [&](const JsonValue& value) {
+    out.push_back(is_whole(value, low) ? static_cast<int>(value.number) : item(value).whole(low));
+  });
   return out;
 }
 
 LonLat JsonNode::position() const {
-  must_be(is_position(json(value_)), "a position [longitude, latitude]");
-  return position_of(json(value_));
+  must_be(is_position(*value_), "a position [longitude, latitude]");
+  return position_of(*value_);
 }
 
 std::vector<LonLat> JsonNode::positions() const {
-  must_be(json(value_).is_array(), "an array of positions");
+  must_be(value_->kind == JsonKind::array, "an array of positions");
   std::vector<LonLat> out;
-  out.reserve(json(value_).size());
-  for (const Json& value : json(value_))
-    out.push_back(is_position(value) ? position_of(value) : item(&value, out.size()).position());
+  out.reserve(value_->all / 3);
+  for_each_in(*value_, [&](const JsonValue& value) {
+    out.push_back(is_position(value) ? position_of(value) : item(value).position());
+  });
   return out;
-}
-
-struct JsonDocument::Held {
-  Json root;
-};
-
-JsonDocument::JsonDocument(const std::string& text, const std::string& where) : where_{where} {
-  try {
-    held_ = std::make_unique<Held>(Held{Json::parse(text)});
-  } catch (const Json::parse_error& error) {
-    const std::string end = error.byte > text.size() ? " (the end of the file: it is cut short)" : "";
-    throw InputError{where + ": byte " + std::to_string(error.byte) + end +
-                     ": this is not JSON; plan the field anew, or fetch the file again"};
-  } catch (const Json::exception& error) {
-    throw InputError{where + ": " + error.what() + "; no plan file holds such a value"};
-  }
-}
-
-JsonDocument::~JsonDocument() = default;
-
-JsonNode JsonDocument::root() const { return {&held_->root, where_, ""}; }
-
-bool is_json_object(const std::string& text) {
-  constexpr bool kNoExceptions = false;
-  return Json::parse(text, nullptr, kNoExceptions).is_object();
 }
 
 }  // namespace selion

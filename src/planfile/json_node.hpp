@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "json_value.hpp"
 #include "selion/core/point.hpp"
 
 namespace selion {
@@ -36,34 +37,16 @@ class JsonNode {
 
  private:
   friend class JsonDocument;
-  JsonNode(const void* value, std::string place, std::string path)
-      : value_{value}, place_{std::move(place)}, path_{std::move(path)} {}
-  [[nodiscard]] JsonNode item(const void* value, std::size_t i) const;
+  JsonNode(const JsonValue* value, const JsonValue* top, std::shared_ptr<const std::string> place)
+      : value_{value}, top_{top}, place_{std::move(place)} {}
+  [[nodiscard]] JsonNode item(const JsonValue& value) const { return {&value, top_, place_}; }
+  [[nodiscard]] std::string path() const;  // "properties.pieces[4].gear"
+  [[noreturn]] void fail_at(const std::string& path, const std::string& what) const;
   void must_be(bool right, const char* what) const;
 
-  const void* value_;  // of the parser's type, which only the .cpp knows
-  std::string place_;  // "plan.geojson: feature 3 (swath)"
-  std::string path_;   // "properties.pieces[4].gear"
+  const JsonValue* value_;
+  const JsonValue* top_;                      // where the path to it begins
+  std::shared_ptr<const std::string> place_;  // "plan.geojson: feature 3 (swath)"
 };
-
-class JsonDocument {
- public:
-  /// @throws InputError where `text` is not JSON, naming `where` and the byte.
-  JsonDocument(const std::string& text, const std::string& where);
-  JsonDocument(const JsonDocument&) = delete;
-  JsonDocument& operator=(const JsonDocument&) = delete;
-  JsonDocument(JsonDocument&&) = delete;
-  JsonDocument& operator=(JsonDocument&&) = delete;
-  ~JsonDocument();
-
-  [[nodiscard]] JsonNode root() const;
-
- private:
-  struct Held;
-  std::unique_ptr<Held> held_;
-  std::string where_;
-};
-
-bool is_json_object(const std::string& text);
 
 }  // namespace selion

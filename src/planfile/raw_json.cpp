@@ -20,12 +20,18 @@ std::size_t after_string(std::string_view json, std::size_t at) {
   return std::min(at + 1, json.size());
 }
 
+/// Brackets and braces: 1, or -1 for closed ones.
+int opened(char c) {
+  if (c < '[') return 0;  // nearly all of a plan
+  if (c == '{' || c == '[') return 1;
+  return c == '}' || c == ']' ? -1 : 0;
+}
+
 /// `at` is on the opening bracket or brace.
 std::size_t after_brackets(std::string_view json, std::size_t at) {
   int depth = 0;
   do {
-    if (json[at] == '{' || json[at] == '[') ++depth;
-    if (json[at] == '}' || json[at] == ']') --depth;
+    depth += opened(json[at]);
     at = json[at] == '"' ? after_string(json, at) : at + 1;
   } while (depth > 0 && at < json.size());
   return at;

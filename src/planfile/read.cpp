@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "json_node.hpp"
+#include "json_document.hpp"
 #include "raw_json.hpp"
 #include "read_geometry.hpp"
 #include "read_trajectory.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <stdexcept>
 
-#include "json_node.hpp"
+#include "json_document.hpp"
 #include "raw_json.hpp"
 #include "rules.hpp"
 #include "selion/core/json_writer.hpp"

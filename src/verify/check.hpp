@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "border.hpp"
 #include "driven.hpp"
 #include "findings.hpp"
 #include "geos.hpp"
@@ -19,11 +20,11 @@ constexpr double kInside_m = 0.01;  // "inside" allows as much (docs/architectur
 /// One block: where body and tool may be.
 struct Ground {
   int block = 1;
-  Shape area;                ///< as the plan file has it
-  Shape obstacles;           ///< of the plan file, none: empty
-  Prepared room;             ///< the area and kInside_m around it, less the obstacles
-  Prepared border;           ///< of `room`
-  Prepared overhang_border;  ///< of the room for a raised tool
+  Shape area;              ///< as the plan file has it
+  Shape obstacles;         ///< of the plan file, none: empty
+  Prepared room;           ///< the area and kInside_m around it, less the obstacles
+  Border border;           ///< of `room`
+  Border overhang_border;  ///< of the room for a raised tool
 };
 
 /// A plan taken apart, and what is found in it.

@@ -14,6 +14,7 @@ constexpr double kMostTurned = -0.5;  // cosine: turned by less than 120 degrees
 struct ToolLine {
   Point left;
   Point right;
+  Point ahead;
 };
 
 /// What the tool sweeps: strips, and the sum of their areas step by step.
@@ -26,10 +27,11 @@ class Swept {
     const double bend = piece.most_curvature_per_m();
     const double step = std::sqrt(8 * kStray_m / std::max(1e-12, bend * (1 + bend * reach)));
     const int steps = std::max(1, static_cast<int>(std::ceil(piece.length_m() / step)));
-    for (int i = 0; i < steps; ++i) {
-      const Pose from = piece.vehicle(piece.length_m() * i / steps);
-      const Pose to = piece.vehicle(piece.length_m() * (i + 1) / steps);
-      step_between(line(from), line(to), unit(to.heading_rad));
+    ToolLine from = line(piece.vehicle(0));
+    for (int i = 1; i <= steps; ++i) {
+      const ToolLine to = line(piece.vehicle(piece.length_m() * i / steps));
+      step_between(from, to);
+      from = to;
     }
   }
   void end() {
@@ -50,11 +52,13 @@ class Swept {
 
  private:
   [[nodiscard]] ToolLine line(const Pose& pose) const {
-    const double half = machine_.working_width_m / 2;
-    return {placed(pose, {machine_.tool_x_m, half}), placed(pose, {machine_.tool_x_m, -half})};
+    const Point ahead = unit(pose.heading_rad);
+    const Point middle = pose.at + machine_.tool_x_m * ahead;
+    const Point half = machine_.working_width_m / 2 * left_of(ahead);
+    return {middle + half, middle - half, ahead};
   }
 
-  void step_between(const ToolLine& a, const ToolLine& b, Point ahead) {
+  void step_between(const ToolLine& a, const ToolLine& b) {
     const std::array<Point, 4> corners{a.right, b.right, b.left, a.left};
     if (!convex(corners)) {
       end();
@@ -69,11 +73,11 @@ class Swept {
       end();
       right_.push_back(a.right);
       left_.push_back(a.left);
-      first_ahead_ = ahead;
+      first_ahead_ = b.ahead;
     }
     right_.push_back(b.right);
     left_.push_back(b.left);
-    if (dot(first_ahead_, ahead) < kMostTurned) end();
+    if (dot(first_ahead_, b.ahead) < kMostTurned) end();
   }
 
   static bool convex(const std::array<Point, 4>& c) {
@@ -128,7 +132,7 @@ void check_coverage(Case& plan, Verdict& verdict) {
       add_places(verdict.missed, plan, ground.block, ground.area);
       continue;
     }
-    const Shape all = united(swept.strips());
+    const Shape all = dissolved(swept.strips());
     const Shape missed = without(ground.area, all);
     verdict.covered_m2 += area_m2(ground.area) - area_m2(missed);
     verdict.twice_m2 += swept.sum_m2() - area_m2(all);

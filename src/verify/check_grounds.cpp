@@ -52,7 +52,7 @@ void add_ground(Case& plan, int block, const LonLatArea& part) {
     if (hard) high = without(high, hard);
   }
   plan.grounds.push_back(
-      {block, area, obstacles, Prepared{room}, Prepared{border_of(room)}, Prepared{border_of(high)}});
+      {block, area, obstacles, Prepared{room}, Border{border_of(room)}, Border{border_of(high)}});
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,8 +9,6 @@ namespace selion::verifying {
 namespace {
 
 constexpr double kFine_m = 0.002;  // a part whose sweep is known as well as this is not halved again
-
-using Corners = std::array<Point, 4>;
 
 /// A rectangle about the axle, seen along the vehicle.
 struct Outline4 {
@@ -68,14 +65,14 @@ class InsideCheck {
     }
     const double span = piece.record().angle_rad ? std::abs(*piece.record().angle_rad) : piece.length_m();
     check_shape(i, span, {body_, &ground_.border, "body_outside", "body_obstacle", "body"});
-    const Prepared& tool_border = piece.record().tool == 1 ? ground_.border : ground_.overhang_border;
+    const Border& tool_border = piece.record().tool == 1 ? ground_.border : ground_.overhang_border;
     check_shape(i, span, {tool_, &tool_border, "tool_outside", "tool_obstacle", "tool"});
   }
 
   /// What is to stay inside, and what is said where it does not.
   struct Member {
     Outline4 shape;
-    const Prepared* border;
+    const Border* border;
     const char* outside;
     const char* in_obstacle;
     const char* name;
@@ -103,12 +100,14 @@ class InsideCheck {
 
   /// Halves the part until what it sweeps is clear, or known to two millimetres and not clear.
   static std::optional<double> first_touch(const PieceLine& piece, double from, double to,
-                                           const Outline4& shape, const Prepared& border) {
+                                           const Outline4& shape, const Border& border) {
     const double middle = (from + to) / 2;
     const Sweep by = sweep(piece, from, to);
     const Outline4 all = swept(shape, by);
-    if (!border.touches(placed_corners(pose(piece, middle), all))) return std::nullopt;
-    if (all.front_m - shape.front_m + all.half_m - shape.half_m < kFine_m) return middle;
+    const Corners corners = placed_corners(pose(piece, middle), all);
+    if (border.clear_of(corners)) return std::nullopt;
+    if (all.front_m - shape.front_m + all.half_m - shape.half_m < kFine_m)
+      return border.touches(corners) ? std::optional{middle} : std::nullopt;
     if (const auto early = first_touch(piece, from, middle, shape, border)) return early;
     return first_touch(piece, middle, to, shape, border);
   }

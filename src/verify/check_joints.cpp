@@ -63,20 +63,20 @@ void check_manoeuvre(Case& plan, const Driven& driven, std::size_t i) {
   const Machine& machine = plan.vehicle.machine;
   const int block = driven.record->block;
   const Point at = driven.pieces[i].spot(0).at;
-  const std::string name = piece_name(driven, i);
+  const auto name = [&] { return piece_name(driven, i); };
   if (piece.gear < 0 && !machine.may_reverse)
-    plan.findings.add("reverse", block, at, {1, 0}, name + " reverses, which this machine may not");
+    plan.findings.add("reverse", block, at, {1, 0}, name() + " reverses, which this machine may not");
   if (driven.pieces[i].stands() && piece.length_m != 0)
-    plan.findings.add("standing", block, at, {piece.length_m, 0}, name + " stands, but has a length");
+    plan.findings.add("standing", block, at, {piece.length_m, 0}, name() + " stands, but has a length");
   if (piece.kind != "pivot") return;
   if (machine.kind != MachineKind::differential || !machine.may_pivot)
-    plan.findings.add("pivot", block, at, {1, 0}, name + ": this machine may not pivot");
+    plan.findings.add("pivot", block, at, {1, 0}, name() + ": this machine may not pivot");
   const double least = least_pivot_s(machine, piece.angle_rad.value_or(0));
   const double given = piece.duration_s.value_or(0);
   if (given < least - 1e-3)
     plan.findings.add(
         "pivot_time", block, at, {given, least},
-        name + " rotates in " + shown(given, 2) + " s, the wheels need " + shown(least, 2) + " s");
+        name() + " rotates in " + shown(given, 2) + " s, the wheels need " + shown(least, 2) + " s");
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "check.hpp"
+#include "segments.hpp"
 
 namespace selion::verifying {
 namespace {
@@ -53,10 +53,7 @@ std::vector<Point> line_driven(const Stint& stint, double ahead_m) {
 
 /// How far the farthest of some places lies from a line.
 double off_line_m(const std::vector<Point>& places, const std::vector<Point>& from) {
-  const Prepared prepared{line_through(from)};
-  double most = 0;
-  for (const Point p : places) most = std::max(most, prepared.distance_m(std::array{p}));
-  return most;
+  return Segments{{from}}.farthest_m(places);
 }
 
 class LineCheck {

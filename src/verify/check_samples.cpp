@@ -11,6 +11,7 @@ namespace {
 constexpr double kPlace_m = 1.2e-3;  // a millimetre, and the coordinates' rounding
 constexpr double kWay_m = 6e-4;      // of the rounding of two places and of speeds
 constexpr double kSpeed_mps = 1e-4;  // of a speed's and a time's rounding
+constexpr double kSettled_m = 1e-9;  // a step as short changes nothing any more
 constexpr double kNear_m = 1e-3;     // of a joint: the sample may belong to either side
 constexpr double kTurn = 2 * std::numbers::pi;
 
@@ -50,12 +51,15 @@ class SampleCheck {
     }
     const double led = std::clamp(way, 0.0, driven_.whole_m());
     way = led;
+    Spot here = driven_.spot(way);
     for (int k = 0; k < 3; ++k) {
-      const Spot here = driven_.spot(way);
+      const double before = way;
       way = std::clamp(way + dot(at_[i] - here.at, unit(here.heading_rad)), led - kNear_m, led + kNear_m);
       way = std::clamp(way, 0.0, driven_.whole_m());
+      if (std::abs(way - before) < kSettled_m) break;
+      here = driven_.spot(way);
     }
-    const double off = distance_m(driven_.spot(way).at, at_[i]);
+    const double off = distance_m(here.at, at_[i]);
     if (!(off <= kPlace_m)) {
       say("sample_place", i, {off, 1e-3},
           "lies " + shown(off, 4) + " m off where its pieces and speeds lead");
@@ -108,7 +112,7 @@ class SampleCheck {
     constexpr double kHeading_rad = 2e-6;
     const bool fits = of_some_piece(i, [&](const PieceLine& line, double s) {
       const double slack = kHeading_rad + line.most_curvature_per_m() * kNear_m;
-      const double off = std::remainder(record_.heading_rad[i] - line.vehicle(s).heading_rad, kTurn);
+      const double off = std::remainder(record_.heading_rad[i] - line.vehicle_heading_rad(s), kTurn);
       const double pivot = line.record().angle_rad.value_or(0);
       return off >= std::min(0.0, pivot) - slack && off <= std::max(0.0, pivot) + slack;
     });
@@ -123,12 +127,12 @@ class SampleCheck {
     const double given = record_.curvature_per_m[i];
     const bool fits = of_some_piece(i, [&](const PieceLine& line, double s) {
       const double slack = kCurvature_per_m + std::abs(line.record().sharpness_per_m2) * kNear_m;
-      return std::abs(line.spot(s).curvature_per_m - given) <= slack;
+      return std::abs(line.curvature_per_m(s) - given) <= slack;
     });
+    if (fits) return;
     const double bends = driven_.spot(driven_.moments[i].way_m).curvature_per_m;
-    if (!fits)
-      say("sample_curvature", i, {given, bends},
-          "has the curvature " + shown(given, 6) + " 1/m, its piece " + shown(bends, 6));
+    say("sample_curvature", i, {given, bends},
+        "has the curvature " + shown(given, 6) + " 1/m, its piece " + shown(bends, 6));
   }
 
   void interval(std::size_t i) {

@@ -31,8 +31,10 @@ double largest(double from, double to, Function of) {
   for (int i = 0; i < 30; ++i) {
     const double a = to - kGolden * (to - from);
     const double b = from + kGolden * (to - from);
-    most = std::max({most, of(a), of(b)});
-    (of(a) < of(b) ? from : to) = of(a) < of(b) ? a : b;
+    const double of_a = of(a);
+    const double of_b = of(b);
+    most = std::max({most, of_a, of_b});
+    (of_a < of_b ? from : to) = of_a < of_b ? a : b;
   }
   return most;
 }
@@ -111,7 +113,7 @@ class SpeedCheck {
     const double from = line.curvature_per_m(part.from_m);
     const double to = line.curvature_per_m(part.to_m);
     const double top2 = std::max(part.from_speed2, part.to_speed2);
-    if (top2 * std::max(std::abs(from), std::abs(to)) <= limit) return;
+    if (top2 * std::max(std::abs(from), std::abs(to)) <= limit * kSlack) return;
     const auto bent = [&](double s) { return part.speed2(s) * std::abs(line.curvature_per_m(s)); };
     const double flat =  // where the curve changes sides there is a peak on each
         from * to < 0 ? part.from_m + from / (from - to) * (part.to_m - part.from_m) : part.to_m;
@@ -141,7 +143,7 @@ class SpeedCheck {
       return steering_rad_s(plan_.vehicle, k, line.record().sharpness_per_m2 * shrunk * shrunk * shrunk,
                             std::sqrt(part.speed2(s)));
     };
-    if (bound(line, part) <= limit) return;
+    if (bound(line, part) <= limit * kSlack) return;
     const double most = largest(part.from_m, part.to_m, rate);
     if (most <= limit * kSlack) return;
     say("steering_rate", line.spot(part.from_m).at, {most, limit},

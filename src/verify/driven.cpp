@@ -21,7 +21,7 @@ constexpr int kMostSteps = 100'000;
 
 }  // namespace
 
-PieceLine::PieceLine(const PieceRecord& record) : record_{&record} {
+PieceLine::PieceLine(const PieceRecord& record) : record_{&record}, ahead_{unit(record.heading_rad)} {
   const double length = record.length_m;
   const double turned =
       (std::abs(record.curvature_per_m) + std::abs(record.sharpness_per_m2) * length) * length;
@@ -38,7 +38,8 @@ double PieceLine::angle(double s_m) const {
 }
 
 Point PieceLine::from(Point at, double from_m, double to_m) const {
-  if (straight()) return at + (to_m - from_m) * unit(record_->heading_rad);
+  if (from_m == to_m) return at;
+  if (straight()) return at + (to_m - from_m) * ahead_;
   const double half = (to_m - from_m) / 2;
   for (const auto& [node, weight] : kNodes) at = at + half * weight * unit(angle(from_m + half * (1 + node)));
   return at;
@@ -49,7 +50,8 @@ Spot PieceLine::spot(double s_m) const {
   const auto knot = static_cast<std::size_t>(std::clamp(share, 0.0, static_cast<double>(knots_.size()) - 2));
   const double heading = angle(s_m);
   const double off = record_->offset_m;
-  const Point at = from(knots_[knot], static_cast<double>(knot) * step_m_, s_m);
+  const Point at =
+      s_m == length_m() ? knots_.back() : from(knots_[knot], static_cast<double>(knot) * step_m_, s_m);
   return {off == 0 ? at : at + off * left_of(unit(heading)), heading, curvature_per_m(s_m)};
 }
 
@@ -58,10 +60,11 @@ double PieceLine::curvature_per_m(double s_m) const {
   return k / (1 - record_->offset_m * k);
 }
 
-Pose PieceLine::vehicle(double s_m) const {
-  const Spot here = spot(s_m);
-  return {here.at, here.heading_rad + (record_->gear < 0 ? std::numbers::pi : 0)};
+double PieceLine::vehicle_heading_rad(double s_m) const {
+  return angle(s_m) + (record_->gear < 0 ? std::numbers::pi : 0);
 }
+
+Pose PieceLine::vehicle(double s_m) const { return {spot(s_m).at, vehicle_heading_rad(s_m)}; }
 
 double PieceLine::most_curvature_per_m() const {
   return std::max(std::abs(curvature_per_m(0)), std::abs(curvature_per_m(length_m())));
@@ -73,10 +76,13 @@ double PieceLine::driven_m(double s_m) const {
 
 double PieceLine::curve_m(double driven_m) const {
   if (record_->offset_m == 0) return driven_m;
+  constexpr double kClose_m = 1e-9;  // Newton's next step is the square of this one
   double s = driven_m;
-  for (int i = 0; i < 20; ++i) {
+  double step = 2 * kClose_m;
+  for (int i = 0; i < 20 && !(std::abs(step) < kClose_m); ++i) {
     const double k = record_->curvature_per_m + record_->sharpness_per_m2 * s;
-    s -= (this->driven_m(s) - driven_m) / (1 - record_->offset_m * k);
+    step = (this->driven_m(s) - driven_m) / (1 - record_->offset_m * k);
+    s -= step;
   }
   return s;
 }

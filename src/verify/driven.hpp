@@ -32,6 +32,7 @@ class PieceLine {
   [[nodiscard]] double curvature_per_m(double s_m) const;
   /// Where the vehicle points, and its axle's centre.
   [[nodiscard]] Pose vehicle(double s_m) const;
+  [[nodiscard]] double vehicle_heading_rad(double s_m) const;
   /// The largest curvature of the robot's path, without its sign.
   [[nodiscard]] double most_curvature_per_m() const;
   /// Way of the robot itself, which an offset from the curve makes longer or shorter, and its inverse.
@@ -43,6 +44,7 @@ class PieceLine {
   [[nodiscard]] Point from(Point at, double from_m, double to_m) const;
 
   const PieceRecord* record_;
+  Point ahead_;  ///< where it begins
   double step_m_ = 0;
   std::vector<Point> knots_;  ///< every step_m_
 };

@@ -38,22 +38,27 @@ GEOSGeometry* ring_of(std::span<const Point> corners) {
   return GEOSGeom_createLinearRing_r(handle(), sequence_of(corners, true));
 }
 
-std::vector<Point> points_of(const GEOSGeometry* ring) {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(handle(), ring);
+std::vector<Point> points_of(const GEOSGeometry* line) {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(handle(), line);
   unsigned size = 0;
   GEOSCoordSeq_getSize_r(handle(), sequence, &size);
   std::vector<double> numbers(2 * std::size_t{size});
   GEOSCoordSeq_copyToBuffer_r(handle(), sequence, numbers.data(), 0, 0);
   std::vector<Point> points(size);
   for (std::size_t i = 0; i < size; ++i) points[i] = {numbers[2 * i], numbers[2 * i + 1]};
-  if (points.size() > 1) points.pop_back();  // the first one again
   return points;
 }
 
+std::vector<Point> corners_of(const GEOSGeometry* ring) {
+  std::vector<Point> corners = points_of(ring);
+  if (corners.size() > 1) corners.pop_back();  // the first one again
+  return corners;
+}
+
 Outline outline_of(const GEOSGeometry* polygon) {
-  Outline outline{points_of(GEOSGetExteriorRing_r(handle(), polygon)), {}};
+  Outline outline{corners_of(GEOSGetExteriorRing_r(handle(), polygon)), {}};
   for (int i = 0; i < GEOSGetNumInteriorRings_r(handle(), polygon); ++i)
-    outline.holes.push_back(points_of(GEOSGetInteriorRingN_r(handle(), polygon, i)));
+    outline.holes.push_back(corners_of(GEOSGetInteriorRingN_r(handle(), polygon, i)));
   return outline;
 }
 
@@ -99,6 +104,13 @@ Shape made_valid(const Shape& shape) {
 Shape border_of(const Shape& area) { return held(GEOSBoundary_r(handle(), area.get())); }
 Shape united(const std::vector<Shape>& shapes) {
   return held(GEOSUnaryUnion_r(handle(), collected(shapes).get()));
+}
+Shape dissolved(const std::vector<Shape>& polygons) {
+  constexpr int kPerQuarter = 1;  // nothing is rounded
+  // Grown by nothing: all borders are cut at once, where a union of one after another cuts them over and
+  // over.
+  Shape all = held(GEOSBuffer_r(handle(), collected(polygons).get(), 0, kPerQuarter));
+  return all ? all : united(polygons);
 }
 Shape convex_hull(std::span<const Point> points) {
   return held(GEOSConvexHull_r(handle(), line_through(points).get()));
@@ -174,6 +186,21 @@ std::vector<Outline> outlines_of(const Shape& shape) {
   std::vector<Outline> outlines;
   for (const Shape& part : parts_of(shape)) outlines.push_back(outline_of(part.get()));
   return outlines;
+}
+
+std::vector<std::vector<Point>> lines_of(const Shape& shape) {
+  std::vector<std::vector<Point>> lines;
+  const auto take = [&lines](const GEOSGeometry* g, const auto& self) -> void {
+    const int type = GEOSGeomTypeId_r(handle(), g);
+    if (type == GEOS_LINESTRING || type == GEOS_LINEARRING) {
+      lines.push_back(points_of(g));
+    } else if (type == GEOS_MULTILINESTRING) {
+      for (int i = 0; i < GEOSGetNumGeometries_r(handle(), g); ++i)
+        self(GEOSGetGeometryN_r(handle(), g, i), self);
+    }
+  };
+  if (shape) take(shape.get(), take);
+  return lines;
 }
 
 std::optional<Point> place_in(const Shape& shape) {

@@ -32,6 +32,8 @@ Shape made_valid(const Shape& shape);
 Shape border_of(const Shape& area);
 /// Of all together; empty where there is none.
 Shape united(const std::vector<Shape>& shapes);
+/// The same of many valid polygons, in one pass.
+Shape dissolved(const std::vector<Shape>& polygons);
 /// Where two or more of them overlap.
 Shape overlaps(const std::vector<Shape>& shapes);
 Shape convex_hull(std::span<const Point> points);
@@ -46,6 +48,8 @@ double distance_m(const Shape& a, const Shape& b);
 /// How far the farthest corner of `shape` lies from `from`.
 double farthest_m(const Shape& shape, const Shape& from);
 std::vector<Outline> outlines_of(const Shape& shape);
+/// Of lines and rings, these with the first corner again at their end.
+std::vector<std::vector<Point>> lines_of(const Shape& shape);
 /// A place inside; of an empty shape none.
 std::optional<Point> place_in(const Shape& shape);
 /// Polygons by area, largest first.

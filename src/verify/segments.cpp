@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace selion::verifying {
+namespace {
+
+constexpr std::size_t kTogether = 4;  // boxes, or segments, in one
+constexpr double kOff_m = 1e-6;       // far more than the roundings of doubles here
+
+bool apart(const Box& a, const Box& b) {
+  return a.low.x_m > b.high.x_m + kOff_m || b.low.x_m > a.high.x_m + kOff_m ||
+         a.low.y_m > b.high.y_m + kOff_m || b.low.y_m > a.high.y_m + kOff_m;
+}
+
+bool finite(Point p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
+
+/// Does a line across `axis` part the corners from the segment?
+bool parted(const Corners& corners, const Segment& segment, Point axis) {
+  const auto [low, high] = std::minmax(
+      {dot(axis, corners[0]), dot(axis, corners[1]), dot(axis, corners[2]), dot(axis, corners[3])});
+  const auto [first, last] = std::minmax({dot(axis, segment.from), dot(axis, segment.to)});
+  const double off = kOff_m * (std::abs(axis.x_m) + std::abs(axis.y_m));
+  return first - high > off || low - last > off;
+}
+
+bool parted(const Corners& corners, const Segment& segment) {
+  return parted(corners, segment, left_of(segment.to - segment.from)) ||
+         parted(corners, segment, corners[1] - corners[0]) ||
+         parted(corners, segment, corners[2] - corners[1]);
+}
+
+double distance_m(const Segment& segment, Point p) {
+  const Point along = segment.to - segment.from;
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::clamp(dot(p - segment.from, along) / square, 0.0, 1.0) : 0;
+  const Point off = segment.from + share * along - p;
+  return std::sqrt(dot(off, off));
+}
+
+double distance_m(const Box& box, Point p) {
+  const double x = std::max({0.0, box.low.x_m - p.x_m, p.x_m - box.high.x_m});
+  const double y = std::max({0.0, box.low.y_m - p.y_m, p.y_m - box.high.y_m});
+  return std::sqrt(x * x + y * y);
+}
+
+}  // namespace
+
+void Box::take_in(Point p) {
+  low = {std::min(low.x_m, p.x_m), std::min(low.y_m, p.y_m)};
+  high = {std::max(high.x_m, p.x_m), std::max(high.y_m, p.y_m)};
+}
+
+Segments::Segments(const std::vector<std::vector<Point>>& lines) {
+  for (const auto& line : lines) {
+    if (!std::ranges::all_of(line, finite)) {
+      segments_.clear();
+      return;
+    }
+    for (std::size_t i = line.size() > 1 ? 1 : 0; i < line.size(); ++i)
+      segments_.push_back({line[i == 0 ? 0 : i - 1], line[i]});
+  }
+  std::vector<Box> boxes((segments_.size() + kTogether - 1) / kTogether);
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    boxes[i / kTogether].take_in(segments_[i].from);
+    boxes[i / kTogether].take_in(segments_[i].to);
+  }
+  levels_.push_back(std::move(boxes));
+  while (levels_.back().size() > 1) {
+    const std::vector<Box>& below = levels_.back();
+    std::vector<Box> above((below.size() + kTogether - 1) / kTogether);
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      above[i / kTogether].take_in(below[i].low);
+      above[i / kTogether].take_in(below[i].high);
+    }
+    levels_.push_back(std::move(above));
+  }
+}
+
+std::size_t Segments::end_of(std::size_t level, std::size_t i) const {
+  return std::min((i + 1) * kTogether, level == 0 ? segments_.size() : levels_[level - 1].size());
+}
+
+bool Segments::clear_of(const Corners& corners) const {
+  if (segments_.empty() || !std::ranges::all_of(corners, finite)) return false;
+  Box around;
+  for (const Point p : corners) around.take_in(p);
+  return clear_of(corners, around, levels_.size() - 1, 0);
+}
+
+bool Segments::clear_of(const Corners& corners, const Box& around, std::size_t level, std::size_t i) const {
+  if (apart(levels_[level][i], around)) return true;
+  for (std::size_t k = i * kTogether; k < end_of(level, i); ++k)
+    if (level == 0 ? !parted(corners, segments_[k]) : !clear_of(corners, around, level - 1, k)) return false;
+  return true;
+}
+
+double Segments::farthest_m(std::span<const Point> places) const {
+  constexpr double kNever_m = std::numeric_limits<double>::infinity();
+  if (segments_.empty() || !std::ranges::all_of(places, finite)) return kNever_m;
+  double most = 0;
+  std::size_t last = 0;
+  for (const Point p : places) {
+    Nearest nearest = followed(p, last);
+    last = nearest.segment;
+    if (nearest.distance_m <= most) continue;  // the nearest is no farther
+    look_for(p, levels_.size() - 1, 0, nearest);
+    last = nearest.segment;
+    most = std::max(most, nearest.distance_m);
+  }
+  return most;
+}
+
+Segments::Nearest Segments::followed(Point p, std::size_t from) const {
+  Nearest nearest{from, distance_m(segments_[from], p)};
+  for (std::size_t i = from + 1; i < segments_.size(); ++i) {
+    const double off = distance_m(segments_[i], p);
+    if (off > nearest.distance_m) break;
+    nearest = {i, off};
+  }
+  return nearest;
+}
+
+void Segments::look_for(Point p, std::size_t level, std::size_t i, Nearest& nearest) const {
+  if (distance_m(levels_[level][i], p) >= nearest.distance_m) return;
+  for (std::size_t k = i * kTogether; k < end_of(level, i); ++k) {
+    if (level > 0) {
+      look_for(p, level - 1, k, nearest);
+    } else if (const double off = distance_m(segments_[k], p); off < nearest.distance_m) {
+      nearest = {k, off};
+    }
+  }
+}
+
+}  // namespace selion::verifying
