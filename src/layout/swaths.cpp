@@ -167,23 +167,55 @@ std::vector<Swath> pieces_on(const Ground& ground, const Axes& axes, const Strip
   return pieces;
 }
 
-std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
-                                double heading) {
-  const double width = ground.machine.working_width_m;
-  const Axes axes{unit(heading), -1 * left_of(unit(heading))};
+std::vector<Swath> swaths_on(const Ground& ground, const Polygons& mainland, const Axes& axes,
+                             const std::vector<Strip>& strips) {
   const AxisExtent along = extent_of(mainland, axes.along);
-  const AxisExtent across = extent_of(mainland, axes.right);
-  const double spacing = width - options.overlap_m;
-  const std::vector<Strip> strips =
-      options.ab
-          ? strips_from_line(dot(options.ab->a, axes.right) + options.ab_shift_m, across, width, spacing)
-          : strips_to_fit(across, width, spacing);
+  const double width = ground.machine.working_width_m;
   std::vector<Swath> swaths;
   for (const Strip& row : strips) {
     const auto pieces = pieces_on(ground, axes, row, wanted(mainland, axes, row.c_m, along, width));
     swaths.insert(swaths.end(), pieces.begin(), pieces.end());
   }
   return swaths;
+}
+
+double length_of_all_m(const std::vector<Swath>& swaths) {
+  double sum = 0;
+  for (const Swath& swath : swaths) sum += distance_m(swath.from, swath.to);
+  return sum;
+}
+
+/// Where not one strip laid from the sides in fits (a crooked band little wider than the machine): laid so
+/// far from a side that they are longest.
+std::vector<Swath> swaths_where_longest(const Ground& ground, const Polygons& mainland, const Axes& axes,
+                                        AxisExtent across, double spacing_m) {
+  constexpr int kPlaces = 16;
+  const double width = ground.machine.working_width_m;
+  const double room_m = length_m(across) - width;
+  std::vector<Swath> longest;
+  for (int i = 1; i < kPlaces && room_m > 0; ++i) {
+    const double shift_m = std::min(room_m, spacing_m) * i / kPlaces;
+    std::vector<Strip> strips;
+    for (int k = 0; shift_m + k * spacing_m <= room_m; ++k)
+      strips.push_back({k + 1, across.low_m + width / 2 + shift_m + k * spacing_m});
+    std::vector<Swath> swaths = swaths_on(ground, mainland, axes, strips);
+    if (length_of_all_m(swaths) > length_of_all_m(longest)) longest = std::move(swaths);
+  }
+  return longest;
+}
+
+std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
+                                double heading) {
+  const double width = ground.machine.working_width_m;
+  const Axes axes{unit(heading), -1 * left_of(unit(heading))};
+  const AxisExtent across = extent_of(mainland, axes.right);
+  const double spacing = width - options.overlap_m;
+  if (options.ab) {
+    const double line_m = dot(options.ab->a, axes.right) + options.ab_shift_m;
+    return swaths_on(ground, mainland, axes, strips_from_line(line_m, across, width, spacing));
+  }
+  auto swaths = swaths_on(ground, mainland, axes, strips_to_fit(across, width, spacing));
+  return swaths.empty() ? swaths_where_longest(ground, mainland, axes, across, spacing) : swaths;
 }
 
 double length_of_strip_m(const std::vector<Swath>& swaths, int strip) {
