@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "selion/core/angle.hpp"
 #include "selion/motion/standing.hpp"
@@ -13,6 +14,33 @@ namespace selion {
 namespace {
 
 constexpr double kCostStep_m = 3;
+
+constexpr double kMiss = 1e-7;  // m, rad: a tenth of what joints may miss
+
+/// How far `to` lies ahead, negative: behind, on the line of `from` and in its heading.
+std::optional<double> ahead_in_line_m(const Pose& from, const Pose& to) {
+  const Point way = to.at - from.at;
+  const Point along = unit(from.heading_rad);
+  const double ahead_m = dot(way, along);
+  const bool in_line = std::abs(cross(along, way)) < kMiss * std::max(1.0, std::abs(ahead_m)) &&
+                       std::abs(wrapped(to.heading_rad - from.heading_rad)) < kMiss;
+  return in_line ? std::optional{ahead_m} : std::nullopt;
+}
+
+/// From place to place: over a metre and more the heading misses by less than places would.
+Path straight(const Pose& from, const Pose& to, double ahead_m) {
+  const Gear gear = ahead_m < 0 ? Gear::reverse : Gear::forward;
+  if (std::abs(ahead_m) > 1) return Path{{line(from.at, to.at), gear}};
+  const double heading = from.heading_rad + (gear == Gear::reverse ? std::numbers::pi : 0);
+  return Path{{{from.at, heading, 0, 0, std::abs(ahead_m)}, gear}};
+}
+
+/// Straight back, where the goal lies there: swings to mend the rest would be stops for nothing.
+std::optional<Path> straight_back(const Pose& from, const Pose& to) {
+  const auto ahead_m = ahead_in_line_m(from, to);
+  if (!ahead_m || *ahead_m > -kMiss) return std::nullopt;
+  return straight(from, to, *ahead_m);
+}
 
 /// Longer than this, a single turn is no turn any more but a wander over the field.
 double longest_turn_m(const Terrain& terrain, const Pose& from, const Pose& to) {
@@ -133,21 +161,19 @@ double cost_m(const Terrain& terrain, const Path& path) {
 }
 
 std::optional<Path> straight_on(const Pose& from, const Pose& to) {
-  constexpr double kMiss = 1e-7;  // m, rad
-  const Point way = to.at - from.at;
-  const Point along = unit(from.heading_rad);
-  const double ahead_m = dot(way, along);
-  const bool in_line =
-      std::abs(cross(along, way)) < kMiss && std::abs(wrapped(to.heading_rad - from.heading_rad)) < kMiss;
-  if (!in_line || ahead_m < -kMiss) return std::nullopt;
-  if (ahead_m < kMiss) return Path{};
-  return Path{{{from.at, from.heading_rad, 0, 0, ahead_m}, Gear::forward}};
+  const auto ahead_m = ahead_in_line_m(from, to);
+  if (!ahead_m || *ahead_m < -kMiss) return std::nullopt;
+  if (*ahead_m < kMiss) return Path{};
+  return straight(from, to, *ahead_m);
 }
 
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
                                 const Pose& to, double most_m) {
   if (auto straight = straight_on(from, to))
     return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
+  if (auto back = terrain.may_reverse ? straight_back(from, to) : std::nullopt;
+      back && stays_inside(terrain.space, terrain.footprint, *back))
+    return back;
   const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
   auto ahead = turn_ahead(terrain, swings, from, to, longest);
   const Manoeuvres may = manoeuvres_of(terrain.machine);

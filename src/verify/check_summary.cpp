@@ -26,14 +26,27 @@ void add_ways(Sums& sums, const Driven& driven) {
     add(sums, driven.pieces[i].record(), driven.begin_m[i + 1] - driven.begin_m[i], 0);
 }
 
+constexpr double kNear_m = 1e-3;
+
+/// Does a piece begin here during which the machine waits or turns on the spot?
+bool stands_near(const Driven& driven, double way_m) {
+  auto begin = std::ranges::lower_bound(driven.begin_m, way_m - kNear_m);
+  for (; begin != driven.begin_m.end() && *begin <= way_m + kNear_m; ++begin) {
+    const auto i = static_cast<std::size_t>(begin - driven.begin_m.begin());
+    if (i == driven.pieces.size()) break;
+    const PieceRecord& piece = driven.pieces[i].record();
+    if (piece.duration_s || piece.angle_rad) return true;
+  }
+  return false;
+}
+
 /// The time between two moments belongs to the piece that is driven between them; at rest, to the one that
 /// stands.
 void add_times(Sums& sums, const Driven& driven) {
-  constexpr double kNear_m = 1e-3;
   for (std::size_t i = 1; i < driven.moments.size(); ++i) {
     const Moment& a = driven.moments[i - 1];
     const Moment& b = driven.moments[i];
-    if (b.way_m - a.way_m > kNear_m / 2) {
+    if (b.way_m - a.way_m > kNear_m / 2 || !stands_near(driven, a.way_m)) {
       add(sums, driven.pieces[driven.stop((a.way_m + b.way_m) / 2).piece].record(), 0, b.t_s - a.t_s);
       continue;
     }
