@@ -2,6 +2,7 @@
 #include "test.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "route/connect.hpp"
@@ -29,10 +30,13 @@ class Ground {
         mainland_{std::vector<Polygon>{Polygon{{{-60, -60}, {-20, -60}, {-20, 60}, {-60, 60}}, {}}}} {}
 
   [[nodiscard]] std::optional<Path> turn(double aside_m, double ahead_m) const {
+    return turn({{ahead_m, aside_m}, kPi});
+  }
+  [[nodiscard]] std::optional<Path> turn(const Pose& to) const {
     const CurveLimits limits = limits_at(machine_, machine_.turn_speed_mps);
     const Terrain terrain{
         space_, footprint_of(machine_), limits, Swings{limits}, machine_.may_reverse, mainland_, machine_};
-    return direct_turn(terrain, terrain.swings, {}, {{ahead_m, aside_m}, kPi}, 1e9);
+    return direct_turn(terrain, terrain.swings, {}, to, 1e9);
   }
 
   /// Of all families that the machine may drive, those that stay inside.
@@ -60,6 +64,23 @@ bool reverses(const Path& path) {
 }
 
 }  // namespace
+
+TEST_CASE("a place straight behind is reached straight back, though rounding puts it a hair aside",
+          "[route][turn]") {
+  const Ground ground{preset("tractor-6m"), 30};
+  const double far_m = GENERATE(0.5, 21.3, 55.98);
+  const double aside_m = GENERATE(0.0, 5e-8, -5e-8);
+  const double heading_rad = GENERATE(0.0, 8e-8);
+  CAPTURE(far_m, aside_m, heading_rad);
+  const Pose to{{-far_m, aside_m}, heading_rad};
+  const auto back = ground.turn(to);
+  REQUIRE(back.has_value());
+  REQUIRE(back->size() == 1);
+  CHECK(back->front().gear == Gear::reverse);
+  CHECK(distance_m(start_pose(*back).at, {}) < 1e-12);
+  CHECK(distance_m(end_pose(*back).at, to.at) < 1e-7);
+  CHECK(std::abs(end_pose(*back).heading_rad - heading_rad) < 3e-7);
+}
 
 TEST_CASE("of the turns that stay inside a machine drives none that takes longer than another",
           "[route][turn]") {

@@ -185,8 +185,8 @@ double length_of_all_m(const std::vector<Swath>& swaths) {
   return sum;
 }
 
-/// Where not one strip laid from the sides in fits (a crooked band little wider than the machine): laid so
-/// far from a side that they are longest.
+/// For where hardly a strip laid from the sides in fits (a crooked band little wider than the machine): laid
+/// so far from a side that they are longest.
 std::vector<Swath> swaths_where_longest(const Ground& ground, const Polygons& mainland, const Axes& axes,
                                         AxisExtent across, double spacing_m) {
   constexpr int kPlaces = 16;
@@ -215,7 +215,10 @@ std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, 
     return swaths_on(ground, mainland, axes, strips_from_line(line_m, across, width, spacing));
   }
   auto swaths = swaths_on(ground, mainland, axes, strips_to_fit(across, width, spacing));
-  return swaths.empty() ? swaths_where_longest(ground, mainland, axes, across, spacing) : swaths;
+  const bool narrow = length_m(across) < 2 * width;
+  if (!narrow && !swaths.empty()) return swaths;
+  auto others = swaths_where_longest(ground, mainland, axes, across, spacing);
+  return length_of_all_m(others) > length_of_all_m(swaths) ? others : swaths;
 }
 
 double length_of_strip_m(const std::vector<Swath>& swaths, int strip) {
