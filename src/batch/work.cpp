@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPlannedShare = 0.9;
-
 double area_m2_of(const LonLatRing& ring, const LocalFrame& frame) {
   Ring local;
   local.reserve(ring.size());

@@ -62,7 +62,6 @@ std::string counted(int number, const std::string& one, const std::string& many)
 std::string summary_text(const Task& task, const Outcome& outcome, const Job& job) {
   const std::string name = printable(task.field.name);
   if (!outcome.plan) return name + ": not planned\n";
-  constexpr double kPlannedShare = 0.9;
   const Totals t = totals_of(*outcome.plan);
   const bool partial = t.covered_m2 < kPlannedShare * t.area_m2;
   const std::string blocks = outcome.plan->blocks.size() == 1

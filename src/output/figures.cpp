@@ -9,8 +9,6 @@
 namespace selion {
 namespace {
 
-constexpr double kPlannedShare = 0.9;
-
 /// Proportional to the ring's area on the Earth: x is the longitude and y the sine of the latitude (Lambert's
 /// cylindrical projection).
 double relative_area(const LonLatLine& ring) {

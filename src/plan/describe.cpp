@@ -15,7 +15,6 @@ namespace selion {
 namespace {
 
 constexpr double kDatumWarning_m = 1;
-constexpr double kPlannedShare = 0.9;  // covered: less is a partial plan
 
 /// The cleaned area as text, to the tenth of a millimetre: the input that the plan's id stands for.
 std::string cleaned_text(const LocalFrame& frame, const Blocks& cleaned) {

@@ -91,13 +91,12 @@ Infeasible hardly_covered(const Infeasible& why, const PlannedBlock& best) {
 /// else with those that cover most, unless that is hardly worth a plan.
 Result<PlannedBlock> plan_inside_fewer(const Infeasible& refused, const Block& block, const LocalFrame& frame,
                                        Job job, const Progress& progress) {
-  constexpr double kWell = 0.9;
   constexpr double kWorthIt = 0.5;
   const auto options = layout_options(block, frame, job);
   if (!options) return options.error();
   const int needed = passes_for_turns(block, job.machine, *options);
   Result<PlannedBlock> best = refused;
-  for (int passes = needed - 1; passes >= 0 && !(best && covers(*best, kWell)); --passes) {
+  for (int passes = needed - 1; passes >= 0 && !(best && covers(*best, kPlannedShare)); --passes) {
     job.headland.passes = passes;
     auto other = plan_as_told(block, frame, job, progress);
     if (other) other->route.notes.push_back(fewer_note(passes, needed));

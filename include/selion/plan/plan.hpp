@@ -32,6 +32,9 @@ struct Uncovered {
   friend bool operator==(const Uncovered&, const Uncovered&) = default;
 };
 
+/// Of a block or field that counts as planned so much is covered; with less it is partly planned.
+constexpr double kPlannedShare = 0.9;
+
 /// How one block came out.
 struct BlockReport {
   int number = 1;
