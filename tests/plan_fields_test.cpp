@@ -219,6 +219,14 @@ TEST_CASE("a strip too narrow for two headland passes is planned inside one", "[
   CHECK(refused.error().reason.find("the block is 11.0 m wide") != std::string::npos);
 }
 
+TEST_CASE("the one swath of a bent band little wider than the machine lies in its middle", "[plan]") {
+  const Field band = field_of_metres({{{{0, 0}, {30, 0.8}, {60, 0}, {60, 4.6}, {30, 5.4}, {0, 4.6}}, {}}});
+  const auto planned = plan(band, Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, Machine{})) == "");
+  CHECK(planned->blocks.at(0).covered_m2 >= 0.6 * planned->blocks.at(0).area_m2);
+}
+
 TEST_CASE("what is too narrow for one swath is refused by width", "[plan]") {
   const Field path = field_of_metres({{{{0, 0}, {300, 0}, {300, 3.4}, {0, 3.4}}, {}}});
   const auto planned = plan(path, Job{}, Repair::notes_only, no_progress);
