@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "plan_check.hpp"
+#include "selion/batch/verified.hpp"
 #include "selion/field/read.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
@@ -112,4 +113,19 @@ TEST_CASE("corners are rounded in a block where filling them leaves pockets out 
   const auto fill = plan(field, job, Repair::notes_only, no_progress);
   REQUIRE((round && fill));
   CHECK(fill->blocks.at(0).covered_m2 == round->blocks.at(0).covered_m2);
+}
+
+TEST_CASE("plans that once had crumbs of a millimetre pass the independent check", "[public]") {
+  if (skipped()) return;
+  std::istringstream nothing;
+  ReadOptions options;
+  options.layer = "nl_waterland_brp2020";
+  options.field = GENERATE("nl_brp2020_egu:0", "nl_brp2020_egu:338", "nl_brp2020_egu:1838");
+  CAPTURE(*options.field);
+  const Field field =
+      read_fields(kPublic.parent_path() / "batch" / "fields_batch.gpkg", options, nothing).at(0);
+  const Job job = job_of(settings_of_toml("[machine]\npreset = \"tractor-6m\"\n", "test"));
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(verification_of(planned->file).faults == std::vector<std::string>{});
 }
