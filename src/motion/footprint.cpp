@@ -208,9 +208,14 @@ FreeSpace free_space(const Polygon& area, const Footprint& footprint) {
   return {area, reach_m(footprint) + kLineStep_m / 4};
 }
 
-/// From the end: what does not fit mostly arrives where it does not.
+/// From the end: what does not fit mostly arrives where it does not. First where stretches begin: most turns
+/// that do not fit stand outside at one of these places.
 bool stays_inside(const FreeSpace& space, const Footprint& footprint, const Path& path) {
-  return std::all_of(path.rbegin(), path.rend(),
+  const auto clear_at_start = [&](const Stretch& s) {
+    return clear_at(space, footprint, Stand{vehicle_pose(s, 0)});
+  };
+  return (path.size() < 3 || std::all_of(path.rbegin(), path.rend() - 1, clear_at_start)) &&
+         std::all_of(path.rbegin(), path.rend(),
                      [&](const Stretch& s) { return clear_along(space, footprint, s); });
 }
 
