@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace selion {
@@ -14,6 +15,7 @@ struct Step {
   double from_per_m = 0;
   double to_per_m = 0;
   double length_m = 0;
+  bool is_sharpest = false;  ///< as short as the sharpness allows, so its length grows with the peak
 
   [[nodiscard]] double turn_rad() const { return (from_per_m + to_per_m) / 2 * length_m; }
 };
@@ -28,13 +30,20 @@ struct Flank {
     for (std::size_t i = 0; i < count; ++i) sum += steps[i].turn_rad();
     return sum;
   }
+  /// Of the turn, over the peak's relative growth.
+  [[nodiscard]] double growth_rad() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += (steps[i].is_sharpest ? 2 : 1) * steps[i].turn_rad();
+    return sum;
+  }
 };
 
 /// From the peak to straight: halved and halved again in equal lengths, as exp(-s / ease_m) is, to an eighth,
 /// which the last step takes to 0 by the same turn as the exponential's whole rest.
 Flank flank(double peak_per_m, double ease_m, double sharpness_per_m2) {
   const auto step = [&](double from, double to, double wish_m) {
-    return Step{from, to, std::max(wish_m, (from - to) / sharpness_per_m2)};
+    const double shortest_m = (from - to) / sharpness_per_m2;
+    return Step{from, to, std::max(wish_m, shortest_m), wish_m < shortest_m};
   };
   if (ease_m <= 0) return {{step(peak_per_m, 0, 0)}, 1};
   Flank flank;
@@ -58,17 +67,16 @@ Corner3 corner_of_turn(double turn_rad, const CornerShape& shape) {
     return Corner3{flank(k, shape.ease_in_m, shape.limits.sharpness_per_m2), k, 0,
                    flank(k, shape.ease_out_m, shape.limits.sharpness_per_m2)};
   };
+  constexpr double kExact = 1e-14;  // of the turn
+  constexpr int kMostTries = 60;
+  const auto rest_of = [&](const Corner3& c) { return turn_rad - c.in.turn_rad() - c.out.turn_rad(); };
   Corner3 corner = at_peak(shape.limits.curvature_per_m);
-  double rest = turn_rad - corner.in.turn_rad() - corner.out.turn_rad();
-  if (rest < 0) {  // the limit is not reached: the peak at which the flanks turn by just that much
-    double low = 0;
-    double high = shape.limits.curvature_per_m;
-    for (int i = 0; i < 60; ++i) {
-      const double k = (low + high) / 2;
-      corner = at_peak(k);
-      (corner.in.turn_rad() + corner.out.turn_rad() > turn_rad ? high : low) = k;
-    }
-    rest = turn_rad - corner.in.turn_rad() - corner.out.turn_rad();
+  double rest = rest_of(corner);
+  // Where the limit is not reached: the peak at which the flanks turn by just that much, by Newton's steps
+  // from above, where what they turn is convex.
+  for (int i = 0; i < kMostTries && rest < -kExact * turn_rad; ++i) {
+    corner = at_peak(corner.peak_per_m * (1 + rest / (corner.in.growth_rad() + corner.out.growth_rad())));
+    rest = rest_of(corner);
   }
   corner.arc_m = std::max(rest, 0.0) / corner.peak_per_m;
   return corner;
@@ -126,7 +134,8 @@ struct SwingOut {
   double after_m = 0;
 };
 
-SwingOut swing_out_of(const Path& path, const Footprint& f) {
+/// Not looked at further where it is more than `most`.
+SwingOut swing_out_of(const Path& path, const Footprint& f, const SwingOut& most) {
   constexpr double kStep_m = 0.3;
   const double half = std::max(f.half_body_m, f.half_tool_m);
   const std::array corners{Point{f.front_m, -f.half_body_m}, Point{f.front_m, f.half_body_m},
@@ -135,11 +144,13 @@ SwingOut swing_out_of(const Path& path, const Footprint& f) {
   const Point right = -1 * left_of(unit(last.heading_rad));
   SwingOut out;
   for (const Pose& pose : poses(path, kStep_m)) {
+    const Point ahead = unit(pose.heading_rad);
     for (const Point corner : corners) {
-      const Point p = placed(pose, corner);
+      const Point p = pose.at + corner.x_m * ahead + corner.y_m * left_of(ahead);
       out.before_m = std::max(out.before_m, -p.y_m - half);
       out.after_m = std::max(out.after_m, dot(p - last.at, right) - half);
     }
+    if (out.before_m > most.before_m || out.after_m > most.after_m) break;
   }
   return out;
 }
@@ -164,18 +175,19 @@ CornerShape shape_within(double turn_rad, const CurveLimits& limits, const Footp
   CornerShape shape{limits, 0, 0};
   const double reach = reach_m(footprint);
   if (turn_rad <= 0 || reach * turn_rad <= room_m) return shape;  // even the farthest corner stays within
-  const auto swing = [&](const CornerShape& s) {
-    return swing_out_of(corner_path({}, turn_rad, s), footprint);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const auto swing = [&](const CornerShape& s, const SwingOut& most) {
+    return swing_out_of(corner_path({}, turn_rad, s), footprint, most);
   };
-  const SwingOut plain = swing(shape);
+  const SwingOut plain = swing(shape, {kAny, kAny});
   const double most_m = 3 * reach;
   if (plain.after_m > room_m)
     shape.ease_out_m = least_ease_m(most_m, room_m, [&](double ease) {
-      return swing({limits, 0, ease}).after_m;
+      return swing({limits, 0, ease}, {kAny, room_m}).after_m;
     });
   if (plain.before_m > room_m)
     shape.ease_in_m = least_ease_m(most_m, room_m, [&](double ease) {
-      return swing({limits, ease, shape.ease_out_m}).before_m;
+      return swing({limits, ease, shape.ease_out_m}, {room_m, kAny}).before_m;
     });
   return shape;
 }
