@@ -46,11 +46,18 @@ Point Guide::centre_of(std::size_t cell) const {
          Point{(static_cast<double>(column) + 0.5) * cell_m_, (static_cast<double>(row) + 0.5) * cell_m_};
 }
 
-std::optional<std::size_t> Guide::neighbour(std::size_t cell, Step step) const {
-  const int x = static_cast<int>(cell % columns_) + step.dx;
-  const int y = static_cast<int>(cell / columns_) + step.dy;
-  if (x < 0 || y < 0 || x >= static_cast<int>(columns_) || y >= static_cast<int>(rows_)) return std::nullopt;
-  return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
+/// Those of a cell that lie on the grid.
+template <class Visit>
+void Guide::for_neighbours(std::size_t cell, Visit visit) const {
+  const int x = static_cast<int>(cell % columns_);
+  const int y = static_cast<int>(cell / columns_);
+  for (const Step step : kSteps) {
+    const int column = x + step.dx;
+    const int row = y + step.dy;
+    if (column < 0 || row < 0 || column >= static_cast<int>(columns_) || row >= static_cast<int>(rows_))
+      continue;
+    visit(static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column), step.cells);
+  }
 }
 
 /// Half the body has room there; touching squares keep the walk inside without asking again.
@@ -81,13 +88,12 @@ void Guide::spread(const Terrain& terrain, const std::vector<Pose>& goals) {
     const auto [done_m, cell] = queue.top();
     queue.pop();
     if (done_m > distance_[cell]) continue;
-    for (const Step step : kSteps) {
-      const auto other = neighbour(cell, step);
-      if (!other) continue;
-      Ground& there = ground[*other];
-      if (there == Ground::unknown) there = ground_at(terrain, centre_of(*other));
-      reach(queue, *other, done_m + cell_m_ * std::hypot(step.dx, step.dy) * dearness(there));
-    }
+    for_neighbours(cell, [&, far_m = done_m](std::size_t other, double cells) {
+      if (far_m + cell_m_ * cells >= distance_[other]) return;  // on any ground
+      Ground& there = ground[other];
+      if (there == Ground::unknown) there = ground_at(terrain, centre_of(other));
+      reach(queue, other, far_m + cell_m_ * cells * dearness(there));
+    });
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -28,18 +29,27 @@ class Guide {
   struct Step {
     int dx;
     int dy;
+    double cells;  ///< its length
   };
 
   [[nodiscard]] std::optional<std::size_t> cell_of(Point p) const;
   [[nodiscard]] Point centre_of(std::size_t cell) const;
-  [[nodiscard]] std::optional<std::size_t> neighbour(std::size_t cell, Step step) const;
+  template <class Visit>
+  void for_neighbours(std::size_t cell, Visit visit) const;
   [[nodiscard]] bool open(const Terrain& terrain, Point p) const;
   [[nodiscard]] Ground ground_at(const Terrain& terrain, Point p) const;
   [[nodiscard]] static double dearness(Ground ground);
   using Entry = std::pair<double, std::size_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
-  static constexpr auto kSteps =
-      std::to_array<Step>({{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}});
+  static constexpr double kAcross = std::numbers::sqrt2;
+  static constexpr auto kSteps = std::to_array<Step>({{-1, -1, kAcross},
+                                                      {0, -1, 1},
+                                                      {1, -1, kAcross},
+                                                      {-1, 0, 1},
+                                                      {1, 0, 1},
+                                                      {-1, 1, kAcross},
+                                                      {0, 1, 1},
+                                                      {1, 1, kAcross}});
   void reach(Queue& queue, std::size_t cell, double distance_m);
   void spread(const Terrain& terrain, const std::vector<Pose>& goals);
 
