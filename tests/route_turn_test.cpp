@@ -33,10 +33,11 @@ class Ground {
     return turn({{ahead_m, aside_m}, kPi});
   }
   [[nodiscard]] std::optional<Path> turn(const Pose& to) const {
-    const CurveLimits limits = limits_at(machine_, machine_.turn_speed_mps);
-    const Terrain terrain{
-        space_, footprint_of(machine_), limits, Swings{limits}, machine_.may_reverse, mainland_, machine_};
-    return direct_turn(terrain, terrain.swings, {}, to, 1e9);
+    const Terrain ground = terrain();
+    return direct_turn(ground, ground.swings, {}, to, 1e9);
+  }
+  [[nodiscard]] std::optional<Path> turn_soon(const Pose& to) const {
+    return turn_soon_found(terrain(), {}, to, 1e9);
   }
 
   /// Of all families that the machine may drive, those that stay inside.
@@ -53,6 +54,12 @@ class Ground {
   }
 
  private:
+  [[nodiscard]] Terrain terrain() const {
+    const CurveLimits limits = limits_at(machine_, machine_.turn_speed_mps);
+    return {space_,  footprint_of(machine_), limits, Swings{limits}, machine_.may_reverse, mainland_,
+            machine_};
+  }
+
   Machine machine_;
   FreeSpace space_;
   AreaIndex mainland_;
@@ -102,6 +109,27 @@ TEST_CASE("of the turns that stay inside a machine drives none that takes longer
       for (const Path& other : ahead)
         CHECK((time <= turn_time_s(other, machine) || length_m(other) > length_m(*turn)));
   }
+}
+
+TEST_CASE("a turn soon found goes forwards where one does, and is found where any is", "[route][turn]") {
+  const Machine machine = preset(GENERATE("robot-3m", "husky", "tractor-6m"));
+  const double beyond_m = GENERATE(30.0, 9.0, 5.0, 1.5);
+  const Ground ground{machine, beyond_m};
+  int soon_ones = 0;
+  for (const double aside_m : {1.0, 3.0, 7.0, 20.0})
+    for (const double heading_rad : {0.0, 1.0, -2.0, kPi}) {
+      CAPTURE(machine.preset, beyond_m, aside_m, heading_rad);
+      const Pose to{{-3, aside_m}, heading_rad};
+      const auto soon = ground.turn_soon(to);
+      const auto fastest = ground.turn(to);
+      REQUIRE(soon.has_value() == fastest.has_value());
+      if (!soon) continue;
+      ++soon_ones;
+      CHECK(turn_time_s(*fastest, machine) <= turn_time_s(*soon, machine) + 1e-5);
+      if (!reverses(*fastest) && !pivots(*fastest)) CHECK(length_m(*soon) == length_m(*fastest));
+      CHECK(distance_m(end_pose(*soon).at, to.at) < 1e-9);
+    }
+  CHECK((beyond_m < 9 || soon_ones > 3));  // there is room
 }
 
 TEST_CASE("a machine turns about on ground too shallow for a loop, if it may reverse or pivot",

@@ -138,6 +138,31 @@ class Fastest {
   double dear_s_ = std::numeric_limits<double>::infinity();
 };
 
+/// Offers all turns with stops or pivots.
+std::optional<Path> fastest_with_stops(const Terrain& terrain, const Swings& swings, const Pose& from,
+                                       const Pose& to, Fastest fastest) {
+  const Manoeuvres may = manoeuvres_of(terrain.machine);
+  for (const TurnKind& kind : turns())
+    if (kind.needs != Needs::nothing && allows(may, kind.needs))
+      for (const Path& turn : kind.candidates(from, to, swings)) fastest.offer(turn);
+  return std::move(fastest).turn();
+}
+
+/// Ahead or behind, where the goal lies so.
+struct OnLine {
+  bool is_decided = false;  ///< no other turn need be looked for
+  std::optional<Path> way;
+};
+
+OnLine on_line(const Terrain& terrain, const Pose& from, const Pose& to) {
+  if (auto straight = straight_on(from, to))
+    return {true,
+            stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt};
+  auto back = terrain.may_reverse ? straight_back(from, to) : std::nullopt;
+  if (back && stays_inside(terrain.space, terrain.footprint, *back)) return {true, std::move(back)};
+  return {};
+}
+
 }  // namespace
 
 double stop_m(const Machine& machine, double speed_mps) {
@@ -169,22 +194,22 @@ std::optional<Path> straight_on(const Pose& from, const Pose& to) {
 
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
                                 const Pose& to, double most_m) {
-  if (auto straight = straight_on(from, to))
-    return stays_inside(terrain.space, terrain.footprint, *straight) ? std::move(straight) : std::nullopt;
-  if (auto back = terrain.may_reverse ? straight_back(from, to) : std::nullopt;
-      back && stays_inside(terrain.space, terrain.footprint, *back))
-    return back;
+  if (auto line = on_line(terrain, from, to); line.is_decided) return std::move(line.way);
   const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
   auto ahead = turn_ahead(terrain, swings, from, to, longest);
-  const Manoeuvres may = manoeuvres_of(terrain.machine);
-  if (may == Manoeuvres{}) return ahead;
+  if (manoeuvres_of(terrain.machine) == Manoeuvres{}) return ahead;
   Fastest fastest{terrain, longest};
   if (ahead) fastest.begin_with(*ahead);
   if (fastest.beats(least_with_stop_s(terrain, from, to))) return ahead;
-  for (const TurnKind& kind : turns())
-    if (kind.needs != Needs::nothing && allows(may, kind.needs))
-      for (const Path& turn : kind.candidates(from, to, swings)) fastest.offer(turn);
-  return std::move(fastest).turn();
+  return fastest_with_stops(terrain, swings, from, to, std::move(fastest));
+}
+
+std::optional<Path> turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m) {
+  if (auto line = on_line(terrain, from, to); line.is_decided) return std::move(line.way);
+  const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
+  auto ahead = turn_ahead(terrain, terrain.swings, from, to, longest);
+  if (ahead || manoeuvres_of(terrain.machine) == Manoeuvres{}) return ahead;
+  return fastest_with_stops(terrain, terrain.swings, from, to, Fastest{terrain, longest});
 }
 
 }  // namespace selion

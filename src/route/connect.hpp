@@ -42,6 +42,10 @@ std::optional<Path> straight_on(const Pose& from, const Pose& to);
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,
                                 const Pose& to, double most_m);
 
+/// As direct_turn(), but the shortest forwards where there is one, although another may take less time: for
+/// searches, which ask for many turns and drive few.
+std::optional<Path> turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m);
+
 /// A way to one of several goals.
 struct Arrival {
   std::size_t goal = 0;  ///< which of them

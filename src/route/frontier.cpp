@@ -12,6 +12,10 @@ namespace {
 constexpr double kRounding_m = 1e-9;
 constexpr double kLonger = 4;  // radii: a turn so much longer than its Dubins path leads round by elsewhere
 
+double longest_m(const Terrain& terrain, const Link& link) {
+  return link.turn_m + kLonger / terrain.limits.curvature_per_m;
+}
+
 }  // namespace
 
 Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, const Pose& end) {
@@ -27,12 +31,20 @@ Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, con
 void work_out(const Terrain& terrain, Link& link) {
   if (link.worked_out) return;
   link.worked_out = true;
-  auto turn = direct_turn(terrain, terrain.swings, link.start, link.end,
-                          link.turn_m + kLonger / terrain.limits.curvature_per_m);
+  auto turn = turn_soon_found(terrain, link.start, link.end, longest_m(terrain, link));
   if (!turn) return;
+  link.is_first_found = true;
   link.path = std::move(*turn);
   if (link.after != nullptr) append(link.path, *link.after);
   link.cost_m = cost_m(terrain, link.path);
+}
+
+Path at_its_fastest(const Terrain& terrain, const Link& link) {
+  if (!link.is_first_found) return link.path;
+  auto turn = direct_turn(terrain, terrain.swings, link.start, link.end, longest_m(terrain, link));
+  if (!turn) return link.path;
+  if (link.after != nullptr) append(*turn, *link.after);
+  return cost_m(terrain, *turn) < link.cost_m ? std::move(*turn) : link.path;
 }
 
 double Frontier::cost_m(std::size_t node) const {
@@ -68,14 +80,11 @@ bool Frontier::outdated(const Entry& entry, double rest_m) const {
   return cost_m(entry.node) + rest_m < entry.bound_m - kRounding_m;
 }
 
-Path Frontier::way_to(std::size_t node) const {
-  std::vector<const Path*> parts;
-  for (std::size_t at = node; at != kStart; at = reached_.at(at).parent)
-    parts.push_back(&reached_.at(at).by->path);
-  std::reverse(parts.begin(), parts.end());
-  Path way;
-  for (const Path* part : parts) append(way, *part);
-  return way;
+std::vector<const Link*> Frontier::way_to(std::size_t node) const {
+  std::vector<const Link*> links;
+  for (std::size_t at = node; at != kStart; at = reached_.at(at).parent) links.push_back(reached_.at(at).by);
+  std::reverse(links.begin(), links.end());
+  return links;
 }
 
 std::optional<std::size_t> Frontier::cheapest_from(std::size_t first) const {

@@ -23,13 +23,17 @@ struct Link {
   double turn_m = 0;            ///< the turn is no shorter
   double least_m = 0;           ///< it costs no less
   bool worked_out = false;
+  bool is_first_found = false;                              ///< another turn may take less time
   Path path;                                                ///< empty where there is none
   double cost_m = std::numeric_limits<double>::infinity();  ///< of both
 };
 
 /// A link of the least cost that a turn between the poses can have.
 Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, const Pose& end);
+/// By the first turn found: of the many that a search asks for it drives few.
 void work_out(const Terrain& terrain, Link& link);
+/// The link's path, its turn the one that takes least.
+Path at_its_fastest(const Terrain& terrain, const Link& link);
 
 /// What a lazy A* has reached so far and may drive next, the most promising first (edges worked out when they
 /// come up: Cohen, Phillips and Likhachev 2014). The links must outlive it.
@@ -59,7 +63,8 @@ class Frontier {
   [[nodiscard]] bool promises(const Entry& entry) const;
   /// Has the node been reached more cheaply since?
   [[nodiscard]] bool outdated(const Entry& entry, double rest_m) const;
-  [[nodiscard]] Path way_to(std::size_t node) const;
+  /// The links by which it is reached, from the start on.
+  [[nodiscard]] std::vector<const Link*> way_to(std::size_t node) const;
   /// Of the nodes from `first` on, the one reached most cheaply, if any.
   [[nodiscard]] std::optional<std::size_t> cheapest_from(std::size_t first) const;
   /// All nodes reached, in order.

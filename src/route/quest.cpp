@@ -5,16 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include "selion/motion/dubins.hpp"
-
 namespace selion {
 namespace {
 
 constexpr std::size_t kMostVisited = 100000;
-constexpr double kGreed = 1.6;             // weight of the distance to go: within this factor of the best
-constexpr std::size_t kBackedInto = 4;     // goals: of more, some can be driven into forwards
-constexpr double kFarthestBeyond_m = 150;  // of a straight run backwards into a pose
-constexpr double kFar = 8;                 // reaches: further off, dearer ground counts
+constexpr std::size_t kSoon = 60;         // visited
+constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
+constexpr double kGreed = 2;              // weight of the distance to go: within this factor of the best
+constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
+constexpr double kFar = 2;                // reaches: further off, dearer ground counts
 constexpr double kGuideCells = 150;  // a side: fine enough to tell headland from mainland on a large field
 
 Link known_link(std::size_t to, const Path& path, double cost_m) {
@@ -35,6 +34,7 @@ Quest::Quest(Roads& roads, const Pose& from, const std::vector<Pose>& goals,
   add_start(from, {});
   for (const Path& retreat : retreats) add_start(end_pose(retreat), retreat);
   for (std::size_t g = 0; g < goals.size(); ++g) add_ends(g);
+  for (const End& end : ends_) entries_.push_back({end.pose, end.run_m});
   if (crow_m(from.at) > kFar * roads.reach_m())
     guide_.emplace(terrain_, from, goals, std::numeric_limits<double>::infinity(), kGuideCells);
 }
@@ -44,40 +44,9 @@ void Quest::add_start(const Pose& at, const Path& retreat) {
   starts_.push_back({at, known_link(node, retreat, cost_m(terrain_, retreat)), std::nullopt});
 }
 
-void Quest::add_ends(std::size_t goal) {
-  const Pose& to = goals_[goal];
-  ends_.push_back({goal, to, {}, 0, false});
-  if (!terrain_.may_reverse || goals_.size() > kBackedInto) return;
-  const double step_m = 2 / terrain_.limits.curvature_per_m;
-  for (int k = 1; k * step_m < kFarthestBeyond_m; ++k) {
-    const Point begin = to.at + k * step_m * unit(to.heading_rad);
-    const Point last = begin - step_m * unit(to.heading_rad);
-    if (!fits(terrain_.space, terrain_.footprint, {{line(begin, last), Gear::reverse}})) break;
-    Path run{{line(begin, to.at), Gear::reverse}};
-    const double run_m = cost_m(terrain_, run);
-    ends_.push_back({goal, start_pose(run), std::move(run), run_m, false});
-  }
-}
-
 const Pose& Quest::pose(std::size_t node) const {
   if (node < roads_.size()) return roads_.pose(node);
   return node < first_goal() ? starts_[node - roads_.size()].pose : goals_[node - first_goal()];
-}
-
-double Quest::crow_m(Point at) const {
-  double least_m = std::numeric_limits<double>::infinity();
-  for (const Pose& goal : goals_) least_m = std::min(least_m, distance_m(at, goal.at));
-  return least_m;
-}
-
-/// To the end that takes least, on the shortest way of bounded curvature.
-double Quest::dubins_m(const Pose& at) const {
-  const double radius_m = 1 / terrain_.limits.curvature_per_m;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (const End& end : ends_)
-    if (distance_m(at.at, end.pose.at) + end.run_m < least_m)
-      least_m = std::min(least_m, dubins_length_m(at, end.pose, radius_m) + end.run_m);
-  return least_m;
 }
 
 /// The most that is known of the way to go, times kGreed.
@@ -109,20 +78,9 @@ Roads::Links& Quest::turns_of(Start& start) {
   return turns;
 }
 
-void Quest::join(std::size_t end) {
-  ends_[end].joined = true;
-  for (const std::size_t node : roads_.likely_before(ends_[end].pose)) {
-    Link link = link_between(terrain_, first_goal() + ends_[end].goal, roads_.pose(node), ends_[end].pose);
-    link.after = &ends_[end].run;
-    link.least_m += ends_[end].run_m;
-    to_ends_[node].push_back(&end_links_.emplace_back(std::move(link)));
-  }
-}
-
-/// The ends that stations here may be joined to: all within reach.
-void Quest::join_near(Point at) {
-  for (std::size_t i = 0; i < ends_.size(); ++i)
-    if (!ends_[i].joined && distance_m(at, ends_[i].pose.at) <= roads_.reach_m()) join(i);
+void Quest::propose(std::size_t from, Link& link) {
+  const double later_m = link.worked_out ? 0 : kTurnsLater / terrain_.limits.curvature_per_m;
+  frontier_.propose(from, link, rest_m(link.to) + later_m);
 }
 
 /// By all its links.
@@ -148,17 +106,35 @@ void Quest::expand(const Frontier::Entry& next) {
   }
 }
 
-Arrival Quest::arrival(std::size_t goal) const { return {goal - first_goal(), frontier_.way_to(goal)}; }
+Path Quest::way_to(std::size_t node) const {
+  Path way;
+  for (const Link* link : frontier_.way_to(node)) append(way, at_its_fastest(terrain_, *link));
+  return way;
+}
 
-std::optional<Arrival> Quest::way() {
+Arrival Quest::arrival(std::size_t goal) const { return {goal - first_goal(), way_to(goal)}; }
+
+/// Begins anew; what is worked out is kept. The goal that is reached.
+std::optional<std::size_t> Quest::found(std::size_t most_visited) {
+  frontier_ = {};
+  rest_m_.clear();
   for (Start& start : starts_) propose(Frontier::kStart, start.retreat);
-  for (std::size_t visited = 0; !frontier_.empty() && visited < kMostVisited; ++visited) {
+  for (std::size_t visited = 0; !frontier_.empty() && visited < most_visited; ++visited) {
     const Frontier::Entry next = frontier_.take();
-    if (next.link == nullptr && next.node >= first_goal()) return arrival(next.node);
+    if (next.link == nullptr && next.node >= first_goal()) return next.node;
     expand(next);
   }
-  if (const auto goal = frontier_.cheapest_from(first_goal())) return arrival(*goal);
-  return beyond();
+  return std::nullopt;
+}
+
+/// Most ways are found soon. Where one is not, and goals are few, the turns into them are worked out first:
+/// else a search floods the roads around a goal that hardly any of them leads to.
+std::optional<Arrival> Quest::way() {
+  const bool few = has_few_goals();
+  auto goal = found(few ? kSoon : kMostVisited);
+  if (!goal && few) goal = found(find_entries() ? kMostVisited : kMostInVain);
+  if (!goal) goal = frontier_.cheapest_from(first_goal());
+  return goal ? arrival(*goal) : beyond();
 }
 
 /// Through the ground between the roads: from all places that they lead to.
@@ -172,7 +148,7 @@ std::optional<Arrival> Quest::beyond() {
     roads_.remember_in_vain(goals_, reached);
     return std::nullopt;
   }
-  Path whole = found->departure == 0 ? Path{} : frontier_.way_to(reached[found->departure - 1]);
+  Path whole = found->departure == 0 ? Path{} : way_to(reached[found->departure - 1]);
   append(whole, found->arrival.way);
   return Arrival{found->arrival.goal, std::move(whole)};
 }

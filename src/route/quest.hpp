@@ -35,12 +35,22 @@ class Quest {
     Path run;
     double run_m = 0;  ///< what that costs
     bool joined = false;
+    std::vector<Link*> turns;  ///< into it, once joined
+  };
+  /// A place that the way to a goal leads through, and what the rest costs from there.
+  struct Entry {
+    Pose pose;
+    double rest_m = 0;
   };
 
+  /// Of more, some can be driven into forwards.
+  [[nodiscard]] bool has_few_goals() const { return goals_.size() <= 4; }
   [[nodiscard]] std::size_t first_goal() const { return roads_.size() + starts_.size(); }
   [[nodiscard]] const Pose& pose(std::size_t node) const;
   void add_start(const Pose& at, const Path& retreat);
   void add_ends(std::size_t goal);
+  bool find_entries();
+  bool add_entries(std::size_t end);
   [[nodiscard]] double crow_m(Point at) const;
   [[nodiscard]] double dubins_m(const Pose& at) const;
   double rest_m(std::size_t node);
@@ -48,10 +58,12 @@ class Quest {
   Roads::Links& turns_of(Start& start);
   void join(std::size_t end);
   void join_near(Point at);
-  void propose(std::size_t from, Link& link) { frontier_.propose(from, link, rest_m(link.to)); }
+  void propose(std::size_t from, Link& link);
   void expand(const Frontier::Entry& next);
   void leave(std::size_t node);
+  [[nodiscard]] Path way_to(std::size_t node) const;
   [[nodiscard]] Arrival arrival(std::size_t goal) const;
+  std::optional<std::size_t> found(std::size_t most_visited);
   std::optional<Arrival> beyond();
 
   Roads& roads_;
@@ -60,6 +72,7 @@ class Quest {
   std::deque<Start> starts_;
   std::deque<End> ends_;
   std::deque<Link> end_links_;
+  std::vector<Entry> entries_;
   std::unordered_map<std::size_t, std::vector<Link*>> to_ends_;  // from a station
   std::unordered_map<std::size_t, double> rest_m_;
   std::optional<Guide> guide_;  // over a long way

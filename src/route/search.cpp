@@ -22,7 +22,7 @@ namespace {
 // mainland dearer.
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::size_t kMostLeft = 500;  // nodes: of ways found on real fields none needed 200
+constexpr std::size_t kMostLeft = 250;  // nodes: of ways found on real fields none needed 200
 constexpr double kGreed = 1.6;  // weight of the heuristic: within this factor of the best of its moves
 constexpr std::size_t kMostDepartures = 32;
 constexpr std::size_t kMostShots = 3;      // goals tried from one place
