@@ -73,16 +73,24 @@ std::optional<Driver::Approach> Driver::turn_led_into(const std::vector<Goal>& g
 }
 
 /// As tight as the machine can; else wider ones: the front of a long machine that turns tightly into a lane
-/// at the border swings out over it. First to the likeliest goals: where those are out of reach of a tight
-/// turn, so mostly are all others. Then by a lead; last, tight ones that are long.
+/// at the border swings out over it.
+std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals, std::size_t most_goals) {
+  for (const double wider : {1.0, 2.0, 4.0, 8.0})
+    if (auto turn = turn_into(goals, swings(wider), longest_turn_m(), most_goals)) return turn;
+  return std::nullopt;
+}
+
+/// To one of the likeliest goals: where those are out of reach of a turn, so mostly are all others. Else by a
+/// lead.
 std::optional<Driver::Approach> Driver::turn_into(const std::vector<Goal>& goals) {
   constexpr std::size_t kLikeliest = 12;
-  for (std::size_t tried = 0; tried < goals.size();) {
-    tried = tried == 0 ? std::min(kLikeliest, goals.size()) : goals.size();
-    for (const double wider : {1.0, 2.0, 4.0, 8.0})
-      if (auto turn = turn_into(goals, swings(wider), longest_turn_m(), tried)) return turn;
-  }
-  if (auto turn = turn_led_into(goals)) return turn;
+  if (auto turn = turn_into(goals, kLikeliest)) return turn;
+  return turn_led_into(goals);
+}
+
+/// To any goal; last, by a long one.
+std::optional<Driver::Approach> Driver::turn_anyhow_into(const std::vector<Goal>& goals) {
+  if (auto turn = turn_into(goals, goals.size())) return turn;
   return turn_into(goals, terrain_.swings, kFarRound * longest_turn_m(), goals.size());
 }
 
@@ -114,7 +122,7 @@ std::optional<Driver::Approach> Driver::straight_into(const std::vector<Goal>& g
 }
 
 /// The cheapest of: one turn; where that is a long one, the roads; where these lead a long way too, a turn at
-/// lower speed; where they lead far round or nowhere, a search.
+/// lower speed; where there is none of all these, any turn; where the way leads far round, a search.
 std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals) {
   if (auto straight = straight_into(goals)) return straight;
   std::optional<Approach> best = turn_into(goals);
@@ -127,6 +135,7 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals)
   keep_cheaper(by(roads().way(*here_, poses, ways_back())));
   const bool close = far_m(here_, poses.front()) < longest_turn_m();
   if (close && (!best || best->cost_m > longest_turn_m())) keep_cheaper(turn_slowly_into(goals));
+  if (!best) best = turn_anyhow_into(goals);
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
     if (auto found = searched(terrain_, {*here_}, poses)) keep_cheaper(by(std::move(found->arrival)));
   return best;

@@ -55,6 +55,8 @@ class Driver {
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals);
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, const Swings& swings,
                                                   double most_m, std::size_t most_goals) const;
+  [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, std::size_t most_goals);
+  [[nodiscard]] std::optional<Approach> turn_anyhow_into(const std::vector<Goal>& goals);
   [[nodiscard]] std::optional<Approach> turn_led_into(const std::vector<Goal>& goals) const;
   [[nodiscard]] std::optional<Approach> turn_slowly_into(const std::vector<Goal>& goals);
   [[nodiscard]] const Swings& swings(double wider);
