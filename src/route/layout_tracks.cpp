@@ -16,13 +16,12 @@ bool near_box(const Box& box, Point p, double near_m) {
 }
 
 /// Swaths serve as roads to and from obstacles inside: they are joined at their ends and beside those only.
-Track swath_track(const Terrain& terrain, const Path& way, double near_m) {
-  if (terrain.space.area().holes.empty()) return track_joined_at_ends(way, kSwathEnd_m);
+Track swath_track(const std::vector<Box>& holes, const Path& way, double near_m) {
+  if (holes.empty()) return track_joined_at_ends(way, kSwathEnd_m);
   Track track = track_of(way, false);
   const auto beside_hole = [&](const Track::Station& station) {
-    const auto& holes = terrain.space.area().holes;
     return std::any_of(holes.begin(), holes.end(),
-                       [&](const Ring& hole) { return near_box(bounds(hole), station.pose.at, near_m); });
+                       [&](const Box& hole) { return near_box(hole, station.pose.at, near_m); });
   };
   const double length = track.length_m;
   std::erase_if(track.stations, [&](const Track::Station& station) {
@@ -63,11 +62,13 @@ std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const
     if (const Path way = pocket_way(terrain, machine, pocket); fits(terrain.space, terrain.footprint, way))
       add_both_ways(tracks, way, false, fits(terrain.space, terrain.footprint, turned_round(way)));
   const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
+  std::vector<Box> holes;
+  for (const Ring& hole : terrain.space.area().holes) holes.push_back(bounds(hole));
   for (const Swath& swath : layout.swaths) {
     if (swath.strip % apart != 0) continue;
     for (const Sense sense : {Sense::forth, Sense::back})
       if (const Path way = swath_way(machine, swath, sense); fits(terrain.space, terrain.footprint, way))
-        tracks.push_back(swath_track(terrain, way, near_m));
+        tracks.push_back(swath_track(holes, way, near_m));
   }
   return tracks;
 }
