@@ -127,28 +127,54 @@ std::optional<std::size_t> Quest::found(std::size_t most_visited) {
   return std::nullopt;
 }
 
+Roads::Stations Quest::stations_reached() const {
+  Roads::Stations reached = frontier_.reached();
+  reached.erase(std::lower_bound(reached.begin(), reached.end(), roads_.size()), reached.end());
+  return reached;
+}
+
 /// Most ways are found soon. Where one is not, and goals are few, the turns into them are worked out first:
-/// else a search floods the roads around a goal that hardly any of them leads to.
+/// else a search floods the roads around a goal that hardly any of them leads to, or none from here.
+std::optional<std::size_t> Quest::found() {
+  if (const auto goal = found(kSoon)) return goal;
+  realm_ = roads_.realm_of(stations_reached());
+  if (realm_ != nullptr && roads_.searched_in_vain(goals_, *realm_)) return std::nullopt;
+  if (has_few_goals() && !find_entries()) return found(kMostInVain);
+  const auto goal = found(kMostVisited);
+  if (!goal && frontier_.empty() && realm_ == nullptr) realm_ = roads_.remember_realm(stations_reached());
+  return goal;
+}
+
 std::optional<Arrival> Quest::way() {
-  const bool few = has_few_goals();
-  auto goal = found(few ? kSoon : kMostVisited);
-  if (!goal && few) goal = found(find_entries() ? kMostVisited : kMostInVain);
+  auto goal = found();
   if (!goal) goal = frontier_.cheapest_from(first_goal());
   return goal ? arrival(*goal) : beyond();
 }
 
+/// Where it sets out and all nodes reached, the ones nearest to a goal first.
+std::vector<std::size_t> Quest::departures() const {
+  std::vector<std::pair<double, std::size_t>> ranked{{crow_m(starts_.front().pose.at), roads_.size()}};
+  for (const std::size_t node : frontier_.reached())
+    if (node != roads_.size()) ranked.emplace_back(crow_m(pose(node).at), node);
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<std::size_t> nodes(ranked.size());
+  std::transform(ranked.begin(), ranked.end(), nodes.begin(), [](const auto& entry) { return entry.second; });
+  return nodes;
+}
+
 /// Through the ground between the roads: from all places that they lead to.
 std::optional<Arrival> Quest::beyond() {
-  const std::vector<std::size_t> reached = frontier_.reached();
-  if (roads_.searched_in_vain(goals_, reached)) return std::nullopt;
-  std::vector<Pose> departures{starts_.front().pose};
-  for (const std::size_t node : reached) departures.push_back(pose(node));
-  auto found = searched(terrain_, departures, goals_);
+  const Roads::Stations known = realm_ != nullptr ? *realm_ : stations_reached();
+  if (roads_.searched_in_vain(goals_, known)) return std::nullopt;
+  const std::vector<std::size_t> nodes = departures();
+  std::vector<Pose> poses(nodes.size());
+  std::transform(nodes.begin(), nodes.end(), poses.begin(), [&](std::size_t node) { return pose(node); });
+  auto found = searched(terrain_, poses, goals_);
   if (!found) {
-    roads_.remember_in_vain(goals_, reached);
+    roads_.remember_in_vain(goals_, known);
     return std::nullopt;
   }
-  Path whole = found->departure == 0 ? Path{} : way_to(reached[found->departure - 1]);
+  Path whole = way_to(nodes[found->departure]);
   append(whole, found->arrival.way);
   return Arrival{found->arrival.goal, std::move(whole)};
 }

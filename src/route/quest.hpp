@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "frontier.hpp"
@@ -35,7 +36,7 @@ class Quest {
     Path run;
     double run_m = 0;  ///< what that costs
     bool joined = false;
-    std::vector<Link*> turns;  ///< into it, once joined
+    std::vector<std::pair<std::size_t, Link*>> turns;  ///< into it, from which station; once joined
   };
   /// A place that the way to a goal leads through, and what the rest costs from there.
   struct Entry {
@@ -64,6 +65,9 @@ class Quest {
   [[nodiscard]] Path way_to(std::size_t node) const;
   [[nodiscard]] Arrival arrival(std::size_t goal) const;
   std::optional<std::size_t> found(std::size_t most_visited);
+  std::optional<std::size_t> found();
+  [[nodiscard]] std::vector<std::size_t> departures() const;
+  [[nodiscard]] Roads::Stations stations_reached() const;
   std::optional<Arrival> beyond();
 
   Roads& roads_;
@@ -73,6 +77,7 @@ class Quest {
   std::deque<End> ends_;
   std::deque<Link> end_links_;
   std::vector<Entry> entries_;
+  const Roads::Stations* realm_ = nullptr;  // all that can be reached from here, where that is known
   std::unordered_map<std::size_t, std::vector<Link*>> to_ends_;  // from a station
   std::unordered_map<std::size_t, double> rest_m_;
   std::optional<Guide> guide_;  // over a long way

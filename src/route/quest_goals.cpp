@@ -41,8 +41,9 @@ void Quest::join(std::size_t end) {
     Link link = link_between(terrain_, first_goal() + ends_[end].goal, roads_.pose(node), ends_[end].pose);
     link.after = &ends_[end].run;
     link.least_m += ends_[end].run_m;
-    ends_[end].turns.push_back(&end_links_.emplace_back(std::move(link)));
-    to_ends_[node].push_back(ends_[end].turns.back());
+    Link* kept = &end_links_.emplace_back(std::move(link));
+    ends_[end].turns.emplace_back(node, kept);
+    to_ends_[node].push_back(kept);
   }
 }
 
@@ -52,7 +53,8 @@ void Quest::join_near(Point at) {
     if (!ends_[i].joined && distance_m(at, ends_[i].pose.at) <= roads_.reach_m()) join(i);
 }
 
-/// Works out the turns into the goals, to know where one has to get to. False where there are none.
+/// Works out the turns into the goals, to know where one has to get to. False where there are none from
+/// stations that may be reached.
 bool Quest::find_entries() {
   entries_.clear();
   std::optional<std::size_t> open_goal;
@@ -67,11 +69,12 @@ bool Quest::find_entries() {
   return false;
 }
 
-/// The turns into an end that are found.
+/// The turns found into an end, from stations that may be reached.
 bool Quest::add_entries(std::size_t end) {
   const std::size_t before = entries_.size();
   if (!ends_[end].joined) join(end);
-  for (Link* link : ends_[end].turns) {
+  for (const auto& [station, link] : ends_[end].turns) {
+    if (realm_ != nullptr && !std::binary_search(realm_->begin(), realm_->end(), station)) continue;
     work_out(terrain_, *link);
     if (!std::isinf(link->cost_m)) entries_.push_back({link->start, link->cost_m});
   }

@@ -141,16 +141,26 @@ Roads::Links& Roads::turns_from(std::size_t node) {
   return known->second;
 }
 
-bool Roads::searched_in_vain(const std::vector<Pose>& goals, const std::vector<std::size_t>& reached) const {
-  const auto stations_end = std::lower_bound(reached.begin(), reached.end(), nodes_.size());
-  return stations_end != reached.begin() &&
-         std::any_of(in_vain_.begin(), in_vain_.end(), [&](const auto& known) {
-           return same_places(known.first, goals) &&
-                  std::includes(known.second.begin(), known.second.end(), reached.begin(), stations_end);
-         });
+const Roads::Stations* Roads::remember_realm(Stations stations) {
+  return &realms_.emplace_back(std::move(stations));
 }
 
-void Roads::remember_in_vain(const std::vector<Pose>& goals, std::vector<std::size_t> reached) {
+const Roads::Stations* Roads::realm_of(const Stations& stations) const {
+  const auto holds = [&stations](const Stations& realm) {
+    return std::includes(realm.begin(), realm.end(), stations.begin(), stations.end());
+  };
+  const auto known = std::find_if(realms_.begin(), realms_.end(), holds);
+  return known == realms_.end() || stations.empty() ? nullptr : &*known;
+}
+
+bool Roads::searched_in_vain(const std::vector<Pose>& goals, const Stations& reached) const {
+  return !reached.empty() && std::any_of(in_vain_.begin(), in_vain_.end(), [&](const auto& known) {
+    return same_places(known.first, goals) &&
+           std::includes(known.second.begin(), known.second.end(), reached.begin(), reached.end());
+  });
+}
+
+void Roads::remember_in_vain(const std::vector<Pose>& goals, Stations reached) {
   in_vain_.emplace_back(goals, std::move(reached));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -43,6 +44,7 @@ Path part_of(const Path& path, double from_m, double to_m);
 class Roads {
  public:
   using Links = std::vector<Link>;
+  using Stations = std::vector<std::size_t>;  ///< in order
 
   Roads(const Terrain& terrain, std::vector<Track> tracks);
 
@@ -69,10 +71,14 @@ class Roads {
   /// To stations of other lines.
   Links& turns_from(std::size_t node);
 
+  /// Remembers all the stations that a search reached, and that no road leads out of.
+  const Stations* remember_realm(Stations stations);
+  /// Such a set that holds all of these; none known: null.
+  [[nodiscard]] const Stations* realm_of(const Stations& stations) const;
+
   /// Has the ground been searched in vain for a way to these goals, from all stations that are `reached` now?
-  [[nodiscard]] bool searched_in_vain(const std::vector<Pose>& goals,
-                                      const std::vector<std::size_t>& reached) const;
-  void remember_in_vain(const std::vector<Pose>& goals, std::vector<std::size_t> reached);
+  [[nodiscard]] bool searched_in_vain(const std::vector<Pose>& goals, const Stations& reached) const;
+  void remember_in_vain(const std::vector<Pose>& goals, Stations reached);
 
  private:
   struct Node {
@@ -95,7 +101,8 @@ class Roads {
   std::unordered_map<long long, std::vector<std::size_t>> cells_;
   std::unordered_map<std::size_t, Links> turns_;
   std::unordered_map<std::size_t, Links> next_;
-  std::vector<std::pair<std::vector<Pose>, std::vector<std::size_t>>> in_vain_;
+  std::deque<Stations> realms_;
+  std::vector<std::pair<std::vector<Pose>, Stations>> in_vain_;
 };
 
 }  // namespace selion
