@@ -75,7 +75,7 @@ void locate_and_clean(const RawFile& file) {
         Field field;
         field.source = "fuzz, feature " + std::to_string(feature.number);
         field.parts = located(feature, georeference, field.source, std::nullopt).polygons;
-        if (!field.parts.empty() && !implausibly_large(feature, georeference)) clean(field);
+        if (!field.parts.empty() && !implausibly_large(box_of(feature), georeference)) clean(field);
       } catch (const InputError&) {  // said so
       }
     }
