@@ -124,5 +124,13 @@ TEST_CASE("what is not JSON or not a collection is refused", "[planfile][errors]
   CHECK_THAT(message("<kml/>"), Catch::Contains("byte 1: this is not JSON"));
   CHECK_THAT(message("[]"), Catch::Contains("must be an object, not of type array"));
   CHECK_THAT(message(to_geojson(sample_plan()) + "x"), Catch::Contains("not JSON"));
-  CHECK_THAT(message(std::string(100'000, '[')), Catch::Contains("cut short"));
+  CHECK_THAT(message(std::string(1000, '[')),
+             Catch::Contains("byte 1001 (the end of the file: it is cut short)"));
+}
+
+TEST_CASE("brackets without end are refused where they get too deep", "[planfile][errors]") {
+  const std::string bracket = GENERATE("[", "{\"a\":");
+  std::string text;
+  for (int i = 0; i < 1'000'000; ++i) text += bracket;  // a tree of them would take 100 MB
+  CHECK_THAT(message(text), Catch::Contains("nest too deeply"));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_document.hpp"
 
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 #include "selion/core/error.hpp"
@@ -10,53 +12,71 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json parsed(const std::string& text, const std::string& where) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const std::string end = error.byte > text.size() ? " (the end of the file: it is cut short)" : "";
-    throw InputError{where + ": byte " + std::to_string(error.byte) + end +
-                     ": this is not JSON; plan the field anew, or fetch the file again"};
-  } catch (const Json::exception& error) {
-    throw InputError{where + ": " + error.what() + "; no plan file holds such a value"};
-  }
-}
-
-/// Turns what the library has read into values; keeps texts that they refer to.
-class Flattened {
+/// Takes what the library reads, one after the other: a tree of nodes would fill the memory where a file is
+/// but brackets. Keeps texts that the values refer to.
+class ValueReader : public nlohmann::json_sax<Json> {
  public:
-  Flattened(std::vector<JsonValue>& values, std::deque<std::string>& texts, const std::string& where)
+  ValueReader(std::vector<JsonValue>& values, std::deque<std::string>& texts, const std::string& where)
       : values_{values}, texts_{texts}, where_{where} {}
 
-  void add(const Json& json, std::string_view key, int depth) {
-    constexpr int kDeepest = 1000;
-    if (depth > kDeepest) throw InputError{where_ + ": brackets nest too deeply; no plan file does so"};
-    const std::size_t self = values_.size();
-    values_.push_back({.kind = kind_of(json), .key = key, .text = {}});
-    if (json.is_string()) values_[self].text = texts_.emplace_back(json.get_ref<const std::string&>());
-    if (json.is_primitive() && !json.is_string()) values_[self].text = texts_.emplace_back(json.dump());
-    if (json.is_number()) values_[self].number = json.get<double>();
-    if (json.is_array())
-      for (const Json& item : json) add(item, {}, depth + 1);
-    if (json.is_object())
-      for (const auto& member : json.items())
-        add(member.value(), texts_.emplace_back(member.key()), depth + 1);
-    values_[self].all = values_.size() - self;
+  bool null() override { return add(JsonKind::null, "null", 0); }
+  bool boolean(bool value) override { return add(JsonKind::boolean, value ? "true" : "false", 0); }
+  bool number_integer(number_integer_t value) override { return whole(value); }
+  bool number_unsigned(number_unsigned_t value) override { return whole(value); }
+  bool number_float(number_float_t value, const string_t& text) override {
+    return add(JsonKind::number, kept(text), value);
+  }
+  bool string(string_t& text) override { return add(JsonKind::text, kept(text), 0); }
+  bool binary(binary_t& /*no JSON*/) override { return false; }
+  bool key(string_t& text) override {
+    key_ = kept(text);
+    return true;
+  }
+  bool start_object(std::size_t /*unknown*/) override { return begin(JsonKind::object); }
+  bool end_object() override { return end(); }
+  bool start_array(std::size_t /*unknown*/) override { return begin(JsonKind::array); }
+  bool end_array() override { return end(); }
+
+  bool parse_error(std::size_t byte, const std::string& /*token*/, const Json::exception& error) override {
+    if (dynamic_cast<const Json::parse_error*>(&error) == nullptr)
+      throw InputError{where_ + ": " + error.what() + "; no plan file holds such a value"};
+    error_byte = byte;
+    return false;
   }
 
+  std::size_t error_byte = 0;
+
  private:
-  static JsonKind kind_of(const Json& json) {
-    if (json.is_object()) return JsonKind::object;
-    if (json.is_array()) return JsonKind::array;
-    if (json.is_string()) return JsonKind::text;
-    if (json.is_number_integer()) return JsonKind::whole;
-    if (json.is_number()) return JsonKind::number;
-    return json.is_boolean() ? JsonKind::boolean : JsonKind::null;
+  static constexpr std::size_t kDeepest = 1000;
+
+  std::string_view kept(const std::string& text) { return texts_.emplace_back(text); }
+
+  bool add(JsonKind kind, std::string_view text, double number) {
+    values_.push_back({.kind = kind, .key = std::exchange(key_, {}), .text = text, .number = number});
+    return true;
+  }
+  template <class Whole>
+  bool whole(Whole value) {
+    return add(JsonKind::whole, kept(std::to_string(value)), static_cast<double>(value));
+  }
+
+  bool begin(JsonKind kind) {
+    if (open_.size() > kDeepest)
+      throw InputError{where_ + ": brackets nest too deeply; no plan file does so"};
+    open_.push_back(values_.size());
+    return add(kind, {}, 0);
+  }
+  bool end() {
+    values_[open_.back()].all = values_.size() - open_.back();
+    open_.pop_back();
+    return true;
   }
 
   std::vector<JsonValue>& values_;
   std::deque<std::string>& texts_;
   const std::string& where_;
+  std::string_view key_;           // of the next value
+  std::vector<std::size_t> open_;  // objects and arrays that are not closed yet
 };
 
 }  // namespace
@@ -67,7 +87,12 @@ JsonDocument::JsonDocument(const std::string& text, const std::string& where)
     values_ = *std::move(plain);
     return;
   }
-  Flattened{values_, texts_, where}.add(parsed(text, where), {}, 0);
+  ValueReader reader{values_, texts_, where};
+  if (Json::sax_parse(text, &reader)) return;
+  const std::size_t byte = reader.error_byte;
+  const std::string end = byte > text.size() ? " (the end of the file: it is cut short)" : "";
+  throw InputError{where + ": byte " + std::to_string(byte) + end +
+                   ": this is not JSON; plan the field anew, or fetch the file again"};
 }
 
 std::string named(const JsonValue& value) {
