@@ -45,6 +45,7 @@ TEST_CASE("a broken plan file is refused with its place", "[planfile][errors]") 
       {"\"covered_m2\": 50912.2500",
        "\"covered_m2\": \"much\"",
        {"\"selion.summary.covered_m2\"", "must be a number"}},
+      {"\"summary\": {", "\"summary\": [], \"x\": {", {"\"selion.summary\"", "must be an object"}},
       {"\"covered_m2\": 50912.2500", "\"area_m2\": 1", {"\"selion.summary\"", "area_m2", "twice"}},
       {"\"warnings\": [", "\"warnings\": [7, ", {"\"selion.warnings[0]\"", "must be a string, not 7"}},
       {"\"features\": [", "\"features\": 1, \"x\": [", {"\"features\"", "must be an array, not 1"}},

@@ -84,6 +84,13 @@ JsonNode JsonNode::at(std::string_view key) const {
   fail_at(outer + joined(outer, key), "is missing");
 }
 
+std::vector<std::pair<std::string_view, JsonNode>> JsonNode::members() const {
+  must_be(value_->kind == JsonKind::object, "an object");
+  std::vector<std::pair<std::string_view, JsonNode>> out;
+  for_each_in(*value_, [&](const JsonValue& value) { out.emplace_back(value.key, item(value)); });
+  return out;
+}
+
 std::vector<JsonNode> JsonNode::items() const {
   must_be(value_->kind == JsonKind::array, "an array");
   std::vector<JsonNode> out;

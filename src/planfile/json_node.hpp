@@ -20,6 +20,8 @@ class JsonNode {
   /// The member `key` of an object; it must be there.
   [[nodiscard]] JsonNode at(std::string_view key) const;
   [[nodiscard]] std::optional<JsonNode> find(std::string_view key) const;
+  /// Of an object, in the order of the file.
+  [[nodiscard]] std::vector<std::pair<std::string_view, JsonNode>> members() const;
   [[nodiscard]] std::vector<JsonNode> items() const;
 
   [[nodiscard]] std::string text() const;

@@ -46,25 +46,17 @@ std::size_t after_value(std::string_view json, std::size_t at) {
 
 }  // namespace
 
-std::vector<RawMember> raw_members(std::string_view json) {
-  std::vector<RawMember> out;
-  std::size_t at = json.find('{');
-  while (at < json.size() && json[at] != '}') {
-    const std::size_t key = after_space(json, at + 1);  // behind the brace or the comma
-    if (key == json.size() || json[key] != '"') break;
-    const std::size_t key_end = after_string(json, key);
-    const std::size_t value = after_space(json, json.find(':', key_end) + 1);
-    const std::size_t value_end = after_value(json, value);
-    out.push_back({json.substr(key + 1, key_end - key - 2), json.substr(value, value_end - value)});
-    at = after_space(json, value_end);
-  }
-  return out;
-}
-
 std::string_view raw_member(std::string_view json, std::string_view key) {
   std::string_view found;
-  for (const RawMember& member : raw_members(json)) {
-    if (member.key == key) found = member.value;
+  std::size_t at = json.find('{');
+  while (at < json.size() && json[at] != '}') {
+    const std::size_t name = after_space(json, at + 1);  // behind the brace or the comma
+    if (name == json.size() || json[name] != '"') break;
+    const std::size_t name_end = after_string(json, name);
+    const std::size_t value = after_space(json, json.find(':', name_end) + 1);
+    const std::size_t value_end = after_value(json, value);
+    if (json.substr(name + 1, name_end - name - 2) == key) found = json.substr(value, value_end - value);
+    at = after_space(json, value_end);
   }
   return found;
 }

@@ -3,21 +3,13 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace selion {
 
-// All of these take valid JSON.
+// Both take valid JSON.
 
-struct RawMember {
-  std::string_view key;  ///< without its quotes, escapes as they stand
-  std::string_view value;
-};
-
-/// The members of the object that `json` starts with, in their order.
-std::vector<RawMember> raw_members(std::string_view json);
-
-/// The value of the member `key`; of several the last one, empty where there is none.
+/// The value of the member `key` of the object that `json` starts with, escapes in keys as they stand; of
+/// several the last one, empty where there is none.
 std::string_view raw_member(std::string_view json, std::string_view key);
 
 /// `json` without the white space between its tokens.

@@ -133,11 +133,9 @@ void read_feature(const JsonNode& feature, const std::string& place, PlanFile& p
             "; use the version that wrote the file, " + plan.version);
 }
 
-void read_summary(const JsonNode& summary, std::string_view raw, PlanFile& plan) {
-  for (const RawMember& member : raw_members(raw)) {  // the parsed object has lost the order
-    const std::string key{member.key};
-    plan.summary.push_back({key, summary.at(key).number()});
-  }
+void read_summary(const JsonNode& summary, PlanFile& plan) {
+  for (const auto& [key, value] : summary.members())
+    plan.summary.push_back({std::string{key}, value.number()});
   check(summary, problem_of(plan.summary));
 }
 
@@ -159,7 +157,7 @@ void read_header(const JsonNode& root, std::string_view raw, PlanFile& plan) {
   check(header->at("frame").at("origin"), problem_of(plan.origin));
   plan.job_json = compacted(raw_member(raw, "job"));
   if (!plan.job_json.starts_with('{')) header->at("job").fail("must be an object");
-  read_summary(header->at("summary"), raw_member(raw, "summary"), plan);
+  read_summary(header->at("summary"), plan);
   plan.warnings = texts(header->at("warnings"));
 }
 
