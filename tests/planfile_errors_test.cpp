@@ -125,6 +125,9 @@ TEST_CASE("what is not JSON or not a collection is refused", "[planfile][errors]
   CHECK_THAT(message("<kml/>"), Catch::Contains("byte 1: this is not JSON"));
   CHECK_THAT(message("[]"), Catch::Contains("must be an object, not of type array"));
   CHECK_THAT(message(to_geojson(sample_plan()) + "x"), Catch::Contains("not JSON"));
+  const std::string behind_nul = to_geojson(sample_plan()) + std::string{"\0x", 2};
+  CHECK_THAT(message(behind_nul),
+             Catch::Contains("byte " + std::to_string(behind_nul.size() - 1) + ": this is not JSON"));
   CHECK_THAT(message(std::string(1000, '[')),
              Catch::Contains("byte 1001 (the end of the file: it is cut short)"));
 }

@@ -88,8 +88,10 @@ JsonDocument::JsonDocument(const std::string& text, const std::string& where)
     return;
   }
   ValueReader reader{values_, texts_, where};
-  if (Json::sax_parse(text, &reader)) return;
-  const std::size_t byte = reader.error_byte;
+  const bool read = Json::sax_parse(text, &reader);
+  const std::size_t nul = text.find('\0');  // which the library takes for the end of the text
+  if (read && nul == std::string::npos) return;
+  const std::size_t byte = read ? nul + 1 : reader.error_byte;
   const std::string end = byte > text.size() ? " (the end of the file: it is cut short)" : "";
   throw InputError{where + ": byte " + std::to_string(byte) + end +
                    ": this is not JSON; plan the field anew, or fetch the file again"};
