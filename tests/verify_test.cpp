@@ -122,6 +122,21 @@ TEST_CASE("of a thousand broken plans at least 99 % are rejected with the right 
   CHECK(all.rejected >= 0.99 * all.mutants);
 }
 
+TEST_CASE("a piece that turns round and round is refused before it is followed", "[verify]") {
+  PlanFile plan = written(small_field(), "[machine]\npreset = \"robot-3m\"\n");
+  PieceRecord& piece = plan.trajectories.at(0).pieces.at(0);
+  REQUIRE(piece.length_m > 20);
+  SECTION("along a bend") { piece.sharpness_per_m2 = 3.5; }
+  SECTION("on the spot") {
+    piece.kind = "pivot";
+    piece.length_m = 0;
+    piece.angle_rad = 1e9;
+    piece.duration_s = 1;
+  }
+  const Verdict verdict = verify(plan, std::nullopt);
+  CHECK(std::ranges::count(verdict.findings, "piece", &Finding::code) == 1);
+}
+
 TEST_CASE("a plan is held against its owner's field", "[verify]") {
   const PlanFile plan = written(sample("with_pond.geojson"), "");
   const auto against = [&](const char* name) {

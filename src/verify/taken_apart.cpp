@@ -12,12 +12,15 @@ namespace {
 
 constexpr double kFar_m = 1e6;  // no field reaches as far from its frame's origin
 constexpr double kMostBend_per_m = 1e3;
+constexpr double kMostTurned_rad = 100;  // in one piece; the check takes as many steps as that takes
 
 bool plausible(const PieceRecord& p) {
   const double end = p.curvature_per_m + p.sharpness_per_m2 * p.length_m;
   return std::abs(p.x_m) < kFar_m && std::abs(p.y_m) < kFar_m && p.length_m >= 0 && p.length_m < kFar_m &&
          std::abs(p.curvature_per_m) < kMostBend_per_m && std::abs(end) < kMostBend_per_m &&
-         1 - p.offset_m * p.curvature_per_m > 0 && 1 - p.offset_m * end > 0;
+         (std::abs(p.curvature_per_m) + std::abs(end)) / 2 * p.length_m < kMostTurned_rad &&
+         std::abs(p.angle_rad.value_or(0)) < kMostTurned_rad && 1 - p.offset_m * p.curvature_per_m > 0 &&
+         1 - p.offset_m * end > 0;
 }
 
 /// Metres of ground for a metre of the frame, east and north of the origin.
