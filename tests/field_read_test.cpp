@@ -197,6 +197,8 @@ TEST_CASE("what is wrong in GeoJSON is named by feature, ring and coordinate", "
   CHECK(mentions(error(feature(third, "{}")), "ring 1, coordinate 3"));
   CHECK(mentions(error("{\"type\":\n\"Polygon\",\n\"coordinates\":[[[1e999,2]]]}"), "line 3"));
   CHECK(mentions(error(R"({"type":"Polygon","coordinates":[[[1,2],[)"), "ends early"));
+  CHECK(mentions(error(std::string{R"({"type":"Polygon","coordinates":[]})"} + '\0' + "{"),
+                 "line 1, byte 36: a NUL"));
   CHECK(mentions(error(R"({"type":"Blob","coordinates":[]})"), "'Blob'"));
   CHECK(mentions(error("[1,2,3]"), "not GeoJSON"));
   CHECK(mentions(error(""), "empty"));

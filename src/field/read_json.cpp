@@ -54,17 +54,28 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
   int depth_ = 0;
 };
 
+/// Where the text is no JSON, `check` says why.
+bool is_valid(const std::string& text, SyntaxCheck& check) {
+  if (!Json::sax_parse(text, &check)) {
+    if (check.at >= text.size() && check.at > 0) check.error = "the JSON ends early";
+    return false;
+  }
+  const std::size_t nul = text.find('\0');  // the library takes it for the end of the text
+  if (nul == std::string::npos) return true;
+  check.at = nul + 1;
+  check.error = "a NUL stands behind the JSON";
+  return false;
+}
+
 Json parsed(const std::string& text, const std::string& label) {
   SyntaxCheck check;
-  if (!Json::sax_parse(text, &check)) {
+  if (!is_valid(text, check)) {
     const auto upto = text.begin() + static_cast<std::ptrdiff_t>(std::min(check.at, text.size()));
-    const bool early = check.at >= text.size() && check.at > 0;
     const std::string where = check.at == 0
                                   ? ""
                                   : " at line " + std::to_string(1 + std::count(text.begin(), upto, '\n')) +
                                         ", byte " + std::to_string(check.at);
-    throw InputError{label + where + ": " + (early ? "the JSON ends early" : check.error) +
-                     "; export the file anew as GeoJSON"};
+    throw InputError{label + where + ": " + check.error + "; export the file anew as GeoJSON"};
   }
   return Json::parse(text);
 }
