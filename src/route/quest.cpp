@@ -14,6 +14,7 @@ constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
 constexpr double kGreed = 2;              // weight of the distance to go: within this factor of the best
 constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
 constexpr double kFar = 2;                // reaches: further off, dearer ground counts
+constexpr double kVeryFar = 8;            // reaches: there it counts from the first
 constexpr double kGuideCells = 150;  // a side: fine enough to tell headland from mainland on a large field
 
 Link known_link(std::size_t to, const Path& path, double cost_m) {
@@ -35,8 +36,14 @@ Quest::Quest(Roads& roads, const Pose& from, const std::vector<Pose>& goals,
   for (const Path& retreat : retreats) add_start(end_pose(retreat), retreat);
   for (std::size_t g = 0; g < goals.size(); ++g) add_ends(g);
   for (const End& end : ends_) entries_.push_back({end.pose, end.run_m});
-  if (crow_m(from.at) > kFar * roads.reach_m())
-    guide_.emplace(terrain_, from, goals, std::numeric_limits<double>::infinity(), kGuideCells);
+  guide_beyond(kVeryFar);
+}
+
+/// Where a goal is further off than so many reaches.
+void Quest::guide_beyond(double reaches) {
+  const Pose& from = starts_.front().pose;
+  if (!guide_ && crow_m(from.at) > reaches * roads_.reach_m())
+    guide_.emplace(terrain_, from, goals_, std::numeric_limits<double>::infinity(), kGuideCells);
 }
 
 void Quest::add_start(const Pose& at, const Path& retreat) {
@@ -133,12 +140,14 @@ Roads::Stations Quest::stations_reached() const {
   return reached;
 }
 
-/// Most ways are found soon. Where one is not, and goals are few, the turns into them are worked out first:
-/// else a search floods the roads around a goal that hardly any of them leads to, or none from here.
+/// Most ways are found soon. Where one is not, the way left is taken from the ground and, where goals are
+/// few, from the turns into them: else a search floods the roads around a goal that hardly any of them leads
+/// to, or none from here.
 std::optional<std::size_t> Quest::found() {
   if (const auto goal = found(kSoon)) return goal;
   realm_ = roads_.realm_of(stations_reached());
   if (realm_ != nullptr && roads_.searched_in_vain(goals_, *realm_)) return std::nullopt;
+  guide_beyond(kFar);
   if (has_few_goals() && !find_entries()) return found(kMostInVain);
   const auto goal = found(kMostVisited);
   if (!goal && frontier_.empty() && realm_ == nullptr) realm_ = roads_.remember_realm(stations_reached());

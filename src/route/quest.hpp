@@ -49,6 +49,7 @@ class Quest {
   [[nodiscard]] std::size_t first_goal() const { return roads_.size() + starts_.size(); }
   [[nodiscard]] const Pose& pose(std::size_t node) const;
   void add_start(const Pose& at, const Path& retreat);
+  void guide_beyond(double reaches);
   void add_ends(std::size_t goal);
   bool find_entries();
   bool add_entries(std::size_t end);
