@@ -81,9 +81,23 @@ LonLat transformed(PJ* operation, RawPoint p) {
 
 bool finite(LonLat p) { return std::isfinite(p.lon_deg) && std::isfinite(p.lat_deg); }
 
+/// What PROJ's database says of WGS84 itself; to open that takes longer than to read a field.
+std::optional<std::string> name_of_wgs84(const std::string& crs) {
+  if (crs == "OGC:CRS84") return "OGC:CRS84 (WGS 84 (CRS84))";
+  if (crs == "EPSG:4326") return "EPSG:4326 (WGS 84)";
+  return std::nullopt;
+}
+
 }  // namespace
 
 Georeference::Georeference(const std::string& crs, const std::string& where) : context_{make_proj_context()} {
+  if (auto name = name_of_wgs84(crs)) {
+    name_ = *std::move(name);
+    datum_ = kWgs84Datum;
+    degrees_per_unit_ = 1;
+    is_wgs84_ = true;
+    return;
+  }
   crs_.reset(proj_create(context_.get(), crs.c_str()));
   if (!crs_ || proj_is_crs(crs_.get()) == 0)
     throw InputError{where + ": PROJ does not know the CRS '" + crs.substr(0, 80) +
@@ -134,7 +148,9 @@ void Georeference::check(RawPoint p, const std::string& where) const {
                      ": correct the file's CRS, or name it with --crs EPSG:CODE where the file has none")};
 }
 
-LonLat Georeference::rough(RawPoint p) const { return transformed(rough_.get(), p); }
+LonLat Georeference::rough(RawPoint p) const {
+  return rough_ ? transformed(rough_.get(), p) : LonLat{p.x, p.y};
+}
 
 bool Georeference::in_area(LonLat p, double margin_deg) const {
   const double width =

@@ -15,6 +15,7 @@ namespace selion {
 struct PlanPlane::Handle {
   PJ_CONTEXT* context = proj_context_create();
   PJ* projection = nullptr;
+  bool in_radians = false;
 
   Handle() = default;
   ~Handle() {
@@ -27,15 +28,32 @@ struct PlanPlane::Handle {
   Handle& operator=(Handle&&) = delete;
 };
 
+namespace {
+
+/// A projection of WGS84 itself is a formula: PROJ need not open its database of reference systems.
+bool is_of_wgs84(const std::string& proj) {
+  return proj.find("+datum=WGS84") != std::string::npos && proj.find("+towgs84") == std::string::npos &&
+         proj.find("+nadgrids") == std::string::npos && proj.find("+axis") == std::string::npos &&
+         proj.find("+type=crs") == std::string::npos;
+}
+
+PJ* between_systems(PJ_CONTEXT* context, const std::string& proj) {
+  PJ* found =
+      proj_create_crs_to_crs(context, "+proj=longlat +datum=WGS84 +no_defs +type=crs", proj.c_str(), nullptr);
+  if (found == nullptr) return nullptr;
+  PJ* normalized = proj_normalize_for_visualization(context, found);
+  proj_destroy(found);
+  return normalized;
+}
+
+}  // namespace
+
 PlanPlane::PlanPlane(const std::string& proj) : handle_{std::make_unique<Handle>()} {
   proj_log_level(handle_->context, PJ_LOG_NONE);
   proj_context_set_enable_network(handle_->context, 0);  // a map must not hang on a download
-  PJ* found = proj_create_crs_to_crs(handle_->context, "+proj=longlat +datum=WGS84 +no_defs +type=crs",
-                                     proj.c_str(), nullptr);
-  if (found != nullptr) {
-    handle_->projection = proj_normalize_for_visualization(handle_->context, found);
-    proj_destroy(found);
-  }
+  handle_->in_radians = is_of_wgs84(proj);
+  handle_->projection = handle_->in_radians ? proj_create(handle_->context, proj.c_str())
+                                            : between_systems(handle_->context, proj);
   if (handle_->projection == nullptr)
     throw InputError{"plan file: PROJ cannot use the frame \"" + proj + "\"; plan the field again"};
 }
@@ -43,7 +61,9 @@ PlanPlane::PlanPlane(const std::string& proj) : handle_{std::make_unique<Handle>
 PlanPlane::~PlanPlane() = default;
 
 Point PlanPlane::to_local(LonLat p) const {
-  const PJ_COORD out = proj_trans(handle_->projection, PJ_FWD, proj_coord(p.lon_deg, p.lat_deg, 0, HUGE_VAL));
+  const double unit = handle_->in_radians ? radians_of_degrees(1) : 1;
+  const PJ_COORD out =
+      proj_trans(handle_->projection, PJ_FWD, proj_coord(unit * p.lon_deg, unit * p.lat_deg, 0, HUGE_VAL));
   if (!std::isfinite(out.xy.x) || !std::isfinite(out.xy.y))
     throw InputError{
         "plan file: a coordinate cannot be projected into the plan's frame; plan the field again"};
@@ -52,7 +72,8 @@ Point PlanPlane::to_local(LonLat p) const {
 
 LonLat PlanPlane::to_lonlat(Point p) const {
   const PJ_COORD out = proj_trans(handle_->projection, PJ_INV, proj_coord(p.x_m, p.y_m, 0, HUGE_VAL));
-  return {out.lp.lam, out.lp.phi};
+  const double unit = handle_->in_radians ? radians_of_degrees(1) : 1;
+  return {out.lp.lam / unit, out.lp.phi / unit};
 }
 
 double PlanPlane::convergence_deg(Point p) const {
