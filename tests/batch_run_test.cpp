@@ -85,6 +85,24 @@ TEST_CASE("a batch is summed up in a few figures", "[batch]") {
         std::map<std::string, std::size_t>{{"error", 1}, {"gate", 1}, {"too narrow", 2}});
 }
 
+TEST_CASE("a batch tells which of its fields took long", "[batch]") {
+  BatchSlow slow;
+  BatchResult result;
+  result.file = "a.gpkg";
+  for (const double took_s : {0.1, 2.5, 7.0, 2.0, 3.0}) {
+    ++result.number;
+    slow.take(result, took_s);
+  }
+  CHECK(slow.fields == 3);
+  CHECK(slow.most_s == 7.0);
+  CHECK(slow.slowest == "a.gpkg, field 4");
+
+  const BatchScratch scratch;
+  const BatchCount count = run_batch(small_batch(small_fields(scratch.at, 2), scratch.at / "out"), nobody());
+  CHECK(count.slow.most_s > 0);
+  CHECK(count.slow.slowest.find(", field ") != std::string::npos);
+}
+
 TEST_CASE("a batch writes the plan that selion plan writes", "[batch]") {
   const BatchScratch scratch;
   const fs::path file = small_fields(scratch.at, 2);

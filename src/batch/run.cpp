@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -134,11 +136,18 @@ class Tasks {
 };
 
 /// Reads, plans on all threads and writes down, with a few fields for each thread under way.
-/// @returns whether it was stopped before the end.
-bool work(Tasks& tasks, const BatchOptions& options, ShardJournal& journal, const BatchWatch& watch) {
+/// @returns whether it was stopped before the end, and what took long.
+std::pair<bool, BatchSlow> work(Tasks& tasks, const BatchOptions& options, ShardJournal& journal,
+                                const BatchWatch& watch) {
+  struct Timed {
+    BatchResult result;
+    double took_s = 0;
+  };
   using Task = std::shared_ptr<BatchTask>;
-  using Result = std::shared_ptr<const BatchResult>;
+  using Result = std::shared_ptr<const Timed>;
+  using Clock = std::chrono::steady_clock;
   bool stopped = false;
+  BatchSlow slow;
   std::size_t planned = 0;
   const auto read = [&](tbb::flow_control& flow) {
     stopped = stopped || watch.stop();
@@ -147,10 +156,14 @@ bool work(Tasks& tasks, const BatchOptions& options, ShardJournal& journal, cons
     return task;
   };
   const auto plan_one = [&](const Task& task) -> Result {
-    return std::make_shared<const BatchResult>(worked(std::move(*task), options, journal.part_folder()));
+    const Clock::time_point started = Clock::now();
+    BatchResult result = worked(std::move(*task), options, journal.part_folder());
+    const std::chrono::duration<double> took = Clock::now() - started;
+    return std::make_shared<const Timed>(Timed{std::move(result), took.count()});
   };
-  const auto write_down = [&](const Result& result) {
-    journal.add(*result);
+  const auto write_down = [&](const Result& done) {
+    journal.add(done->result);
+    slow.take(done->result, done->took_s);
     const std::size_t finished = journal.results().size();
     const auto known = static_cast<double>(std::max(tasks.known(), finished));
     watch.progress(
@@ -165,10 +178,17 @@ bool work(Tasks& tasks, const BatchOptions& options, ShardJournal& journal, cons
                          tbb::make_filter<Task, Result>(tbb::filter_mode::parallel, plan_one) &
                          tbb::make_filter<Result, void>(tbb::filter_mode::serial_out_of_order, write_down));
   });
-  return stopped;
+  return {stopped, slow};
 }
 
 }  // namespace
+
+void BatchSlow::take(const BatchResult& result, double took_s) {
+  fields += took_s > kLong_s ? 1 : 0;
+  if (took_s <= most_s) return;
+  most_s = took_s;
+  slowest = result.file + ", field " + std::to_string(result.number);
+}
 
 std::size_t BatchCount::total() const {
   return std::accumulate(by_status.begin(), by_status.end(), std::size_t{0});
@@ -186,7 +206,7 @@ BatchCount run_batch(const BatchOptions& options, const BatchWatch& watch) {
   if (journal.numbers()) {
     count.numbers = *journal.numbers();
   } else {
-    count.stopped = work(tasks, options, journal, watch);
+    std::tie(count.stopped, count.slow) = work(tasks, options, journal, watch);
     count.numbers = tasks.numbers();
     if (count.stopped)
       journal.flush();
@@ -195,8 +215,10 @@ BatchCount run_batch(const BatchOptions& options, const BatchWatch& watch) {
   }
   count.by_status = journal.counts();
   if (count.stopped || options.shard.count > 1) return count;
-  return write_tables_of(options.folder, {journal_file(options.folder, options.shard)},
-                         journal.part_folder());
+  BatchCount merged =
+      write_tables_of(options.folder, {journal_file(options.folder, options.shard)}, journal.part_folder());
+  merged.slow = count.slow;
+  return merged;
 }
 
 }  // namespace selion

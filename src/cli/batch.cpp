@@ -14,6 +14,7 @@
 #include "options.hpp"
 #include "selion/batch/run.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "selion/plan/job_file.hpp"
 #include "terminal.hpp"
 
@@ -114,6 +115,10 @@ int checked(const BatchCount& count, Terminal& terminal) {
 }
 
 void say_what_is_next(const BatchCount& count, const BatchOptions& options, Terminal& terminal) {
+  if (count.slow.fields > 0)
+    terminal.note(std::to_string(count.slow.fields) + (count.slow.fields == 1 ? " field" : " fields") +
+                  " took longer than " + fixed(BatchSlow::kLong_s, 0) + " s, the slowest " +
+                  fixed(count.slow.most_s, 1) + " s: " + printable(count.slow.slowest));
   if (count.stopped)
     return terminal.warning("stopped with " + std::to_string(count.total()) +
                             " fields done; the same command with --resume goes on");

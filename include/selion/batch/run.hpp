@@ -50,12 +50,23 @@ struct BatchWatch {
   std::function<bool()> stop;                    ///< whether to finish the fields under way and begin no more
 };
 
+/// Fields of this run that took long, on the clock.
+struct BatchSlow {
+  static constexpr double kLong_s = 2;
+  std::size_t fields = 0;  ///< that took longer
+  double most_s = 0;       ///< of all
+  std::string slowest;     ///< its file and number
+
+  void take(const BatchResult& result, double took_s);
+};
+
 struct BatchCount {
   std::array<std::size_t, kBatchStatusNames.size()> by_status{};  ///< of this shard, or of all when merged
   std::size_t numbers = 0;                                        ///< in the whole batch
   bool stopped = false;                                           ///< before all had a result
   bool tables = false;                                            ///< whether they were written
   BatchSummary summary;                                           ///< of the tables
+  BatchSlow slow;
 
   [[nodiscard]] std::size_t total() const;
 };
