@@ -99,3 +99,11 @@ TEST_CASE("a run-in longer than the headland is deep is cut short at the border"
   CHECK(100 * block.covered_m2 / block.area_m2 > 98.5);  // no swath is left out for its run-in
   CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});
 }
+
+TEST_CASE("a turn forwards at lower speed is driven where one with stops takes longer", "[plan][route]") {
+  const Job job = job_of(settings_of_toml("[machine]\npreset = \"robot-3m\"\n", "test"));
+  const auto planned = plan(paper_field("f1"), job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  REQUIRE(planned->blocks.size() == 1);
+  CHECK(planned->blocks.front().turn_s < 1140);  // 1144 s with fishtails from swath 4 to 5 and from 6 to 7
+}

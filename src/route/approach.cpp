@@ -13,6 +13,11 @@ namespace {
 constexpr double kNoBetter_m = 1e-6;
 constexpr double kFarRound = 3;  // a way this many turns long is worth a search for a shorter one
 
+bool has_stops(const Path& path) {
+  return std::any_of(path.begin(), path.end(),
+                     [](const Stretch& s) { return s.gear == Gear::reverse || is_pivot(s); });
+}
+
 }  // namespace
 
 /// The same turns larger: built when first asked for.
@@ -102,6 +107,26 @@ std::optional<Driver::Approach> Driver::turn_slowly_into(const std::vector<Goal>
     if (turn && turn->cost_m <= longest_turn_m()) return turn;
   }
   return std::nullopt;
+}
+
+/// Instead of a way with stops: forwards at a lower speed, which needs less room, or wider, where that takes
+/// less.
+Driver::Approach Driver::or_ahead(Approach way, const Pose& goal) {
+  const double radius_m = 1 / terrain_.limits.curvature_per_m;
+  if (!has_stops(way.way) || far_m(here_, goal) > longest_turn_m()) return way;
+  if (dubins_length_m(*here_, goal, radius_m) >= way.cost_m) return way;
+  const auto finds = [&](const Swings& swings) {
+    auto ahead = turn_ahead(terrain_, swings, *here_, goal, way.cost_m);
+    if (!ahead) return false;
+    const double cost = cost_m(terrain_, *ahead);
+    if (cost < way.cost_m - kNoBetter_m) way = {way.goal, std::move(*ahead), cost};
+    return true;
+  };
+  for (const double speed : turn_speeds(machine_))
+    if (speed < machine_.turn_speed_mps && finds(slower_swings(speed))) break;
+  for (const double wider : {2.0, 4.0, 8.0})
+    if (finds(swings(wider))) break;
+  return way;
 }
 
 std::optional<Driver::Approach> Driver::by(std::optional<Arrival> arrival) const {

@@ -75,17 +75,6 @@ double standing_m(const Terrain& terrain, const Stretch& last, const Stretch& st
   return rest_s * machine.turn_speed_mps + (stops ? stop_m(machine, machine.turn_speed_mps) : 0);
 }
 
-/// The shortest turn forwards.
-std::optional<Path> turn_ahead(const Terrain& terrain, const Swings& swings, const Pose& from, const Pose& to,
-                               double longest_m) {
-  Connections turns{from, to, swings};
-  while (auto turn = turns.next()) {
-    if (length_m(*turn) > longest_m) break;
-    if (stays_inside(terrain.space, terrain.footprint, *turn)) return turn;
-  }
-  return std::nullopt;
-}
-
 /// No turn with a stop on its way takes less: what does not pivot has to drive round to the other heading.
 double least_with_stop_s(const Terrain& terrain, const Pose& from, const Pose& to) {
   const Machine& machine = terrain.machine;
@@ -190,6 +179,16 @@ std::optional<Path> straight_on(const Pose& from, const Pose& to) {
   if (!ahead_m || *ahead_m < -kMiss) return std::nullopt;
   if (*ahead_m < kMiss) return Path{};
   return straight(from, to, *ahead_m);
+}
+
+std::optional<Path> turn_ahead(const Terrain& terrain, const Swings& swings, const Pose& from, const Pose& to,
+                               double longest_m) {
+  Connections turns{from, to, swings};
+  while (auto turn = turns.next()) {
+    if (length_m(*turn) > longest_m) break;
+    if (stays_inside(terrain.space, terrain.footprint, *turn)) return turn;
+  }
+  return std::nullopt;
 }
 
 std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, const Pose& from,

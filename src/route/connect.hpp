@@ -36,6 +36,10 @@ double cost_m(const Terrain& terrain, const Path& path);
 /// that would be crumbs. It may lead outside.
 std::optional<Path> straight_on(const Pose& from, const Pose& to);
 
+/// The shortest turn forwards of at most `longest_m` that stays inside.
+std::optional<Path> turn_ahead(const Terrain& terrain, const Swings& swings, const Pose& from, const Pose& to,
+                               double longest_m);
+
 /// One turn within the limits that stays inside: the shortest one forwards or, where it takes less time, one
 /// in reverse or with pivots; ground of the mainland counts as in cost_m(). Absent where none of at most
 /// `most_m`, and of a turn's length, stays inside. Empty where both are one place.

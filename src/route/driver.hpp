@@ -61,6 +61,7 @@ class Driver {
   [[nodiscard]] std::optional<Approach> turn_slowly_into(const std::vector<Goal>& goals);
   [[nodiscard]] const Swings& swings(double wider);
   [[nodiscard]] const Swings& slower_swings(double speed_mps);
+  [[nodiscard]] Approach or_ahead(Approach way, const Pose& goal);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
   [[nodiscard]] std::vector<Goal> goals_of(const Task& task) const;

@@ -44,7 +44,8 @@ Path at_its_fastest(const Terrain& terrain, const Link& link) {
   auto turn = direct_turn(terrain, terrain.swings, link.start, link.end, longest_m(terrain, link));
   if (!turn) return link.path;
   if (link.after != nullptr) append(*turn, *link.after);
-  return cost_m(terrain, *turn) < link.cost_m ? std::move(*turn) : link.path;
+  if (cost_m(terrain, *turn) >= link.cost_m) return link.path;
+  return std::move(*turn);
 }
 
 double Frontier::cost_m(std::size_t node) const {

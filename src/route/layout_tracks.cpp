@@ -44,6 +44,12 @@ void add_both_ways(std::vector<Track>& tracks, const Path& path, bool closed, bo
   if (either_way) tracks.push_back(track_of(turned_round(path), closed));
 }
 
+std::vector<Box> boxes_around_holes(const Terrain& terrain) {
+  std::vector<Box> boxes;
+  for (const Ring& hole : terrain.space.area().holes) boxes.push_back(bounds(hole));
+  return boxes;
+}
+
 /// Of lines side by side, closer together than a turn from one to the next is wide, only so many lead
 /// elsewhere than their neighbours.
 int lines_apart(const Machine& machine, const Terrain& terrain) {
@@ -62,8 +68,7 @@ std::vector<Track> tracks_of(const Layout& layout, const Machine& machine, const
     if (const Path way = pocket_way(terrain, machine, pocket); fits(terrain.space, terrain.footprint, way))
       add_both_ways(tracks, way, false, fits(terrain.space, terrain.footprint, turned_round(way)));
   const double near_m = layout.headland_depth_m + 6 / terrain.limits.curvature_per_m;
-  std::vector<Box> holes;
-  for (const Ring& hole : terrain.space.area().holes) holes.push_back(bounds(hole));
+  const std::vector<Box> holes = boxes_around_holes(terrain);
   for (const Swath& swath : layout.swaths) {
     if (swath.strip % apart != 0) continue;
     for (const Sense sense : {Sense::forth, Sense::back})

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostVisited = 100000;
 constexpr std::size_t kSoon = 60;         // visited
 constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
-constexpr double kGreed = 2;              // weight of the distance to go: within this factor of the best
+constexpr double kGreed = 1.6;            // weight of the distance to go: within this factor of the best
 constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
 constexpr double kFar = 2;                // reaches: further off, dearer ground counts
 constexpr double kVeryFar = 8;            // reaches: there it counts from the first
