@@ -179,6 +179,30 @@ TEST_CASE("ground of the plan that its owner's field lacks, or has and the plan 
   CHECK(codes_against(sample("f1.geojson"), "l_shape.geojson") != "");
 }
 
+TEST_CASE("an obstacle on the way is found whatever block it is said to be of", "[verify]") {
+  PlanFile plan = written(sample("f6.geojson"), "");
+  const LonLatLine& line = plan.trajectories.at(0).line;
+  const LonLat at = line.at(line.size() / 2);
+  ObstacleRecord barn;
+  barn.block = 99;
+  barn.name = "barn";
+  barn.what = "obstacle";
+  for (const auto& [east, north] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}})
+    barn.area.shell.push_back({at.lon_deg + 1e-4 * east, at.lat_deg + 1e-4 * north});
+  plan.obstacles.push_back(barn);
+  const Verdict verdict = verify(plan, std::nullopt);
+  CHECK(std::ranges::count(verdict.findings, "body_obstacle", &Finding::code) > 0);
+}
+
+TEST_CASE("robots in one place are found where no gap is asked for", "[verify]") {
+  PlanFile plan = written(sample("f6.geojson"), "[machine]\nsafety_gap_m = 0\n");
+  TrajectoryRecord other = plan.trajectories.at(0);
+  other.robot = 2;
+  plan.trajectories.push_back(other);
+  const Verdict verdict = verify(plan, std::nullopt);
+  CHECK(std::ranges::count(verdict.findings, "robots_too_close", &Finding::code) > 0);
+}
+
 TEST_CASE("the list of places to look at names ten approaches and ten bends", "[verify]") {
   const WatchList list = watch_list(written(sample("with_pond.geojson"), ""));
   REQUIRE(list.closest.size() == 10);

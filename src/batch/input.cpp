@@ -42,7 +42,8 @@ void collect(const fs::path& root, const fs::path& left_out, std::vector<InputFi
     const bool folder = entry->is_directory(ignored);
     const bool dataset = folder && lower_ending(path) == ".gdb";
     if (folder && (dataset || fs::equivalent(path, left_out, ignored))) entry.disable_recursion_pending();
-    if (is_field_file(path) && (!folder || dataset))
+    const bool endless = entry->is_fifo(ignored) || entry->is_character_file(ignored);  // or never written to
+    if (is_field_file(path) && (!folder || dataset) && !endless)
       files.push_back({path, path.lexically_relative(root).generic_string()});
   }
 }

@@ -12,13 +12,14 @@ Outline local_outline(const Plane& plane, const LonLatArea& area) {
   return outline;
 }
 
-/// With what is kept from them, but for `less_m`.
+/// With what is kept from them, but for `less_m`. Those that the file calls another block's stand where they
+/// stand: their ground alone.
 Shape obstacles_of(const Case& plan, int block, double less_m) {
   std::vector<Shape> shapes;
   for (const ObstacleRecord& obstacle : plan.plan.obstacles) {
-    if (obstacle.block != block) continue;
-    const double kept =
+    const double margin =
         obstacle.what == "water" ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m;
+    const double kept = obstacle.block == block ? margin : 0;
     shapes.push_back(grown(made_valid(polygon_of(local_outline(plan.plane, obstacle.area))), kept - less_m));
   }
   return shapes.empty() ? Shape{} : united(shapes);

@@ -43,10 +43,14 @@ class RobotCheck {
     return body;
   }
 
+  static constexpr double kFine_m = 0.005;
+
+  /// Bodies that touch are too close even where no gap is asked for.
+  [[nodiscard]] double gap_m() const { return std::max(plan_.vehicle.machine.safety_gap_m, 2 * kFine_m); }
+
   /// Halves the time until both are certainly far enough from each other, or are not.
   bool pair(const Driven& a, const Driven& b, double from_s, double to_s) {
-    constexpr double kFine_m = 0.005;
-    const double gap = plan_.vehicle.machine.safety_gap_m;
+    const double gap = gap_m();
     const double middle = (from_s + to_s) / 2;
     const double moved = 2 * most_mps_ * (to_s - from_s) / 2;
     const Pose pose_a = pose_at(a, middle);
@@ -63,7 +67,7 @@ class RobotCheck {
   }
 
   void tell(const Driven& a, const Driven& b, const Pose& pose, double t_s, double apart) {
-    const double gap = plan_.vehicle.machine.safety_gap_m;
+    const double gap = gap_m();
     plan_.findings.add("robots_too_close", a.record->block, pose.at, {apart, gap},
                        "robots " + std::to_string(b.record->robot) + " and " +
                            std::to_string(a.record->robot) + " come within " + shown(apart, 3) +
