@@ -205,6 +205,15 @@ const std::vector<Mutation>& of_records() {
       {"a frame that stretches",
        {"frame"},
        [](P& p, Dice&) { return replace_in_frame(p, "+k=1", "+k=1.01"); }},
+      {"a mirrored frame",
+       {"frame"},
+       [](P& p, Dice&) { return replace_in_frame(p, "+k=1", "+axis=wnu +k=1"); }},
+      {"a frame that stretches eastwards",
+       {"frame"},
+       [](P& p, Dice&) {
+         p.proj = "+proj=pipeline +step " + p.proj + " +step +proj=affine +s11=0.7";
+         return true;
+       }},
       {"a frame of nothing",
        {"frame"},
        [](P& p, Dice&) { return replace_in_frame(p, "+proj=tmerc", "+proj=nothing"); }},

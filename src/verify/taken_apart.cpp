@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "selion/core/error.hpp"
@@ -23,17 +24,27 @@ bool plausible(const PieceRecord& p) {
          1 - p.offset_m * end > 0;
 }
 
-/// Metres of ground for a metre of the frame, east and north of the origin.
-double stretch_at(const Plane& plane, LonLat origin) {
+/// What the frame makes of a metre of ground at the origin, eastwards and northwards.
+struct Unit {
+  Point east;
+  Point north;
+};
+
+Unit unit_at(const Plane& plane, LonLat origin) {
   constexpr double kStep_deg = 1e-3;
-  constexpr double kMeridian_m_per_deg = 111'132.95;
-  constexpr double kSecond = -559.85;  // metres a degree by latitude, WGS84
-  constexpr double kFourth = 1.175;
-  const double lat = origin.lat_deg * std::acos(-1.0) / 180;
-  const double north_m = kMeridian_m_per_deg + kSecond * std::cos(2 * lat) + kFourth * std::cos(4 * lat);
-  const Point a = plane.to_local({origin.lon_deg, origin.lat_deg - kStep_deg / 2});
-  const Point b = plane.to_local({origin.lon_deg, origin.lat_deg + kStep_deg / 2});
-  return distance_m(a, b) / (north_m * kStep_deg);
+  constexpr double kDegree = std::numbers::pi / 180;
+  constexpr double kMajor_m = 6378137;  // WGS84
+  constexpr double kEccentricity2 = 0.00669437999014;
+  const double lat = origin.lat_deg * kDegree;
+  const double flat = 1 - kEccentricity2 * std::sin(lat) * std::sin(lat);
+  const double across_m = kMajor_m / std::sqrt(flat);             // radius of curvature, prime vertical
+  const double along_m = across_m * (1 - kEccentricity2) / flat;  // of the meridian
+  const double east_m = across_m * std::cos(lat) * kStep_deg * kDegree;
+  const double north_m = along_m * kStep_deg * kDegree;
+  const auto at = [&](double lon, double lat_deg) {
+    return plane.to_local({origin.lon_deg + lon * kStep_deg, origin.lat_deg + lat_deg * kStep_deg});
+  };
+  return {(1 / east_m) * (at(0.5, 0) - at(-0.5, 0)), (1 / north_m) * (at(0, 0.5) - at(0, -0.5))};
 }
 
 std::string trajectory_name(const TrajectoryRecord& t) {
@@ -70,13 +81,16 @@ void TakenApart::check_job(const std::string& trouble) {
 
 /// The frame keeps lengths, is true to its origin, and lies where the field is.
 void TakenApart::check_frame() {
-  constexpr double kStretch = 1e-3;
+  constexpr double kStretch = 2e-3;
   constexpr double kOrigin_m = 10;
   if (!plane_.valid()) return refuse("frame", "PROJ makes nothing of the frame " + case_.plan.proj);
   const LonLat origin = case_.plan.origin;
-  const double stretch = stretch_at(plane_, origin);
-  if (!(std::abs(stretch - 1) <= kStretch))
-    return refuse("frame", "the frame stretches lengths by " + shown(100 * (stretch - 1), 3) + " %");
+  const Unit unit = unit_at(plane_, origin);
+  for (const Point side : {unit.east, unit.north})
+    if (const double stretch = length_m(side) - 1; !(std::abs(stretch) <= kStretch))
+      return refuse("frame", "the frame stretches lengths by " + shown(100 * stretch, 3) + " %");
+  if (!(std::abs(cross(unit.east, unit.north) - 1) <= 3 * kStretch))
+    return refuse("frame", "east and north stand askew in the frame, or the wrong way round");
   const double off = length_m(plane_.to_local(origin));
   if (!(off <= kOrigin_m))
     return refuse("frame", "the frame's origin lies " + shown(off, 1) + " m from where the file says");
