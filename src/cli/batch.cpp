@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -61,6 +62,10 @@ BatchOptions batch_options(const BatchCommand& command) {
 
 void check_arguments(const BatchCommand& command) {
   if (command.folder.empty()) throw InputError{"no place for the batch given; say where with -o DIR"};
+  std::error_code ignored;
+  if (std::filesystem::exists(command.folder, ignored) &&
+      !std::filesystem::is_directory(command.folder, ignored))
+    throw InputError{command.folder + ": is not a folder; choose another -o DIR"};
   if (command.merge && !command.fields.empty())
     throw InputError{"--merge joins what is in -o DIR; leave '" + command.fields + "' out"};
   if (command.merge) return;
