@@ -27,9 +27,9 @@ std::map<Key, std::vector<Stint>> stints_of(const Case& plan) {
     for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
       const PieceRecord& piece = driven.pieces[i].record();
       if (piece.kind == "wait") continue;
-      if (!piece.ref.empty()) {
+      if (!piece.ref.empty() || piece.kind == "swath" || piece.kind == "headland_pass") {
         auto& all = stints[{driven.record->block, piece.ref}];
-        if (piece.ref != before) all.push_back({&driven, i, i});
+        if (all.empty() || piece.ref != before) all.push_back({&driven, i, i});
         all.back().last = i;
       }
       before = piece.ref;
@@ -68,7 +68,8 @@ class LineCheck {
     for (const auto& [key, stints] : stints_)
       plan_.findings.add("unknown_line", key.first,
                          stints.front().driven->pieces[stints.front().first].spot(0).at, {1, 0},
-                         key.second + " is driven, but the plan has no such line");
+                         (key.second.empty() ? "a line without a name" : key.second) +
+                             " is driven, but the plan has no such line");
     check_order();
   }
 
