@@ -194,23 +194,16 @@ TEST_CASE("an obstacle on the way is found whatever block it is said to be of", 
   CHECK(std::ranges::count(verdict.findings, "body_obstacle", &Finding::code) > 0);
 }
 
-TEST_CASE("work that is said to be of no line is found", "[verify]") {
-  PlanFile plan = written(sample("f6.geojson"), "");
+TEST_CASE("a second robot on the first one's way is found, with no gap asked for and without names of lines",
+          "[verify]") {
+  PlanFile plan = written(sample("f6.geojson"), "[machine]\nsafety_gap_m = 0\n");
   TrajectoryRecord other = plan.trajectories.at(0);
   other.robot = 2;
   for (PieceRecord& piece : other.pieces) piece.ref.clear();
   plan.trajectories.push_back(other);
   const Verdict verdict = verify(plan, std::nullopt);
-  CHECK(std::ranges::count(verdict.findings, "unknown_line", &Finding::code) > 0);
-}
-
-TEST_CASE("robots in one place are found where no gap is asked for", "[verify]") {
-  PlanFile plan = written(sample("f6.geojson"), "[machine]\nsafety_gap_m = 0\n");
-  TrajectoryRecord other = plan.trajectories.at(0);
-  other.robot = 2;
-  plan.trajectories.push_back(other);
-  const Verdict verdict = verify(plan, std::nullopt);
-  CHECK(std::ranges::count(verdict.findings, "robots_too_close", &Finding::code) > 0);
+  for (const char* code : {"robots_too_close", "unknown_line"})
+    CHECK(std::ranges::count(verdict.findings, code, &Finding::code) > 0);
 }
 
 TEST_CASE("the list of places to look at names ten approaches and ten bends", "[verify]") {

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
+#include "output_dir.hpp"
 #include "selion/batch/run.hpp"
 #include "selion/core/error.hpp"
 #include "selion/core/format.hpp"
@@ -62,16 +62,13 @@ BatchOptions batch_options(const BatchCommand& command) {
 
 void check_arguments(const BatchCommand& command) {
   if (command.folder.empty()) throw InputError{"no place for the batch given; say where with -o DIR"};
-  std::error_code ignored;
-  if (std::filesystem::exists(command.folder, ignored) &&
-      !std::filesystem::is_directory(command.folder, ignored))
-    throw InputError{command.folder + ": is not a folder; choose another -o DIR"};
   if (command.merge && !command.fields.empty())
     throw InputError{"--merge joins what is in -o DIR; leave '" + command.fields + "' out"};
   if (command.merge) return;
   if (command.fields.empty()) throw InputError{"no fields given; name a field file, or a folder of them"};
   if (command.fields == "-")
     throw InputError{"a batch cannot be read from standard input: it could not be resumed; name a file"};
+  check_output(command.folder, {}, Existing::replace);
 }
 
 /// "42 of 4854 fields, 3 min left"
@@ -119,11 +116,14 @@ int checked(const BatchCount& count, Terminal& terminal) {
   return kCheckFailed;
 }
 
+void say_what_took_long(const BatchSlow& slow, Terminal& terminal) {
+  if (slow.fields == 0) return;
+  terminal.note(std::to_string(slow.fields) + (slow.fields == 1 ? " field" : " fields") +
+                " took longer than " + fixed(BatchSlow::kLong_s, 0) + " s, the slowest " +
+                fixed(slow.most_s, 1) + " s: " + printable(slow.slowest));
+}
+
 void say_what_is_next(const BatchCount& count, const BatchOptions& options, Terminal& terminal) {
-  if (count.slow.fields > 0)
-    terminal.note(std::to_string(count.slow.fields) + (count.slow.fields == 1 ? " field" : " fields") +
-                  " took longer than " + fixed(BatchSlow::kLong_s, 0) + " s, the slowest " +
-                  fixed(count.slow.most_s, 1) + " s: " + printable(count.slow.slowest));
   if (count.stopped)
     return terminal.warning("stopped with " + std::to_string(count.total()) +
                             " fields done; the same command with --resume goes on");
@@ -149,6 +149,7 @@ int run_fields(const BatchCommand& command, Terminal& terminal) {
                       return StopRequest::made();
                     }});
   terminal.result(command.json ? json_of(count, command.folder) : text_of(count, command.folder));
+  say_what_took_long(count.slow, terminal);
   say_what_is_next(count, options, terminal);
   return count.stopped ? kInterrupted : checked(count, terminal);
 }
