@@ -36,8 +36,8 @@ class Ground {
     const Terrain ground = terrain();
     return direct_turn(ground, ground.swings, {}, to, 1e9);
   }
-  [[nodiscard]] std::optional<Path> turn_soon(const Pose& to) const {
-    return turn_soon_found(terrain(), {}, to, 1e9);
+  [[nodiscard]] std::optional<Path> turn_soon(const Pose& to, double most_m = 1e9) const {
+    return turn_soon_found(terrain(), {}, to, most_m);
   }
 
   /// Of all families that the machine may drive, those that stay inside.
@@ -130,6 +130,17 @@ TEST_CASE("a turn soon found goes forwards where one does, and is found where an
       CHECK(distance_m(end_pose(*soon).at, to.at) < 1e-9);
     }
   CHECK((beyond_m < 9 || soon_ones > 3));  // there is room
+}
+
+TEST_CASE("a turn soon found stops where none forwards is short enough", "[route][turn]") {
+  const Ground ground{preset("robot-3m"), 5.6};
+  const Pose beside{{0, 3}, kPi};
+  const auto fastest = ground.turn(beside);
+  REQUIRE(fastest);
+  REQUIRE(reverses(*fastest));
+  const auto soon = ground.turn_soon(beside, length_m(*fastest) + 0.1);
+  REQUIRE(soon);
+  CHECK(reverses(*soon));
 }
 
 TEST_CASE("a machine turns about on ground too shallow for a loop, if it may reverse or pivot",
