@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "route/roads.hpp"
+
+using namespace selion;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Machine robot() {
+  for (const MachinePreset& known : machine_presets())
+    if (known.name == "robot-3m") return known.machine;
+  return {};
+}
+
+/// All of `area` is headland.
+struct Ground {
+  explicit Ground(Polygon area) : space{free_space(area, footprint_of(machine))} {}
+
+  Machine machine = robot();
+  FreeSpace space;
+  AreaIndex mainland{{}};
+  CurveLimits limits = limits_at(machine, machine.turn_speed_mps);
+  Terrain terrain{space,  footprint_of(machine), limits, Swings{limits}, machine.may_reverse, mainland,
+                  machine};
+};
+
+bool reverses(const Path& path) {
+  return std::any_of(path.begin(), path.end(), [](const Stretch& s) { return s.gear == Gear::reverse; });
+}
+
+}  // namespace
+
+TEST_CASE("a goal that one part of the roads does not lead to is found from another", "[route]") {
+  // two yards, joined by a gap too narrow for the machine; through the second one a wall
+  const Ground ground{Polygon{{{0, 0},
+                               {60, 0},
+                               {60, 19},
+                               {64, 19},
+                               {64, 0},
+                               {400, 0},
+                               {400, 40},
+                               {64, 40},
+                               {64, 20},
+                               {60, 20},
+                               {60, 40},
+                               {0, 40}},
+                              {{{66, 18}, {66, 22}, {360, 22}, {360, 18}}}}};
+  const auto road = [](Point from, Point to) {
+    return track_of(Path{{line(from, to), Gear::forward}}, false);
+  };
+  Roads roads{ground.terrain,
+              {road({10, 8}, {50, 8}), road({74, 8}, {386, 8}), road({392, 12}, {392, 28}),
+               road({386, 32}, {74, 32})}};
+  const std::vector<Pose> goal{{{90, 32}, kPi}};
+  CHECK_FALSE(roads.way({{12, 8}, 0}, goal, {}));
+  CHECK_FALSE(roads.way({{15, 8}, 0}, goal, {}));
+  const auto way = roads.way({{76, 8}, 0}, goal, {});
+  REQUIRE(way);
+  CHECK(distance_m(end_pose(way->way).at, goal.front().at) < 1e-6);
+  CHECK(length_m(way->way) > 500);  // round the wall: not found at once
+  CHECK(stays_inside(ground.space, ground.terrain.footprint, way->way));
+}
+
+TEST_CASE("the turns of a way over the roads are the fastest, whichever was found first", "[route]") {
+  int faster = 0;
+  for (const double beyond_m : {20.0, 9.0, 7.5})
+    for (const double aside_m : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+      CAPTURE(beyond_m, aside_m);
+      const Ground ground{Polygon{{{-60, -60}, {beyond_m, -60}, {beyond_m, 60}, {-60, 60}}, {}}};
+      const Pose to{{-6, aside_m}, 0};  // behind: by a loop, or backwards
+      const auto fastest = direct_turn(ground.terrain, ground.terrain.swings, {}, to, 40);
+      const auto soon = turn_soon_found(ground.terrain, {}, to, 40);
+      REQUIRE(fastest);
+      REQUIRE(soon);
+      const auto way = Roads{ground.terrain, {}}.way({}, {to}, {});
+      REQUIRE(way);
+      const double least_m = std::min(cost_m(ground.terrain, *fastest), cost_m(ground.terrain, *soon));
+      CHECK(cost_m(ground.terrain, way->way) <= least_m + 1e-6);
+      faster += reverses(*fastest) && !reverses(*soon) ? 1 : 0;
+    }
+  CHECK(faster > 0);
+}
