@@ -76,7 +76,8 @@ std::vector<Driver::Goal> Driver::goals_of(const Task& task) const {
 }
 
 void Driver::drive_by(const Task& task, const std::vector<Goal>& goals, Approach approach) {
-  approach = or_ahead(std::move(approach), goals[approach.goal].pose);
+  const Pose goal = goals[approach.goal].pose;
+  approach = or_ahead(std::move(approach), goal);
   const Way& chosen = task.ways[approach.goal];
   const Point begin = goals[approach.goal].pose.at;
   if (begin != chosen.start.at) approach.way.push_back({line(begin, chosen.start.at), Gear::forward});
