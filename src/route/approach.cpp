@@ -155,11 +155,12 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals)
     if (other && (!best || other->cost_m < best->cost_m - kNoBetter_m)) best = std::move(other);
   };
   if (best && best->cost_m <= longest_turn_m()) return best;
+  const bool close = far_m(here_, goals.front().pose) < longest_turn_m();
+  if (close)
+    if (auto slow = turn_slowly_into(goals)) return slow;
   std::vector<Pose> poses(goals.size());
   std::transform(goals.begin(), goals.end(), poses.begin(), [](const Goal& goal) { return goal.pose; });
   keep_cheaper(by(roads().way(*here_, poses, ways_back())));
-  const bool close = far_m(here_, poses.front()) < longest_turn_m();
-  if (close && (!best || best->cost_m > longest_turn_m())) keep_cheaper(turn_slowly_into(goals));
   if (!best) best = turn_anyhow_into(goals);
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
     if (auto found = searched(terrain_, {*here_}, poses)) keep_cheaper(by(std::move(found->arrival)));
