@@ -68,6 +68,30 @@ TEST_CASE("the speeds for turns start at the cap and fall", "[motion][timed_turn
   CHECK(turn_speeds(odd).size() == 10);
 }
 
+TEST_CASE("the speed for turns between swaths is the cap unless steering is slow", "[motion][timed_turn]") {
+  for (const MachinePreset& preset : machine_presets()) {
+    CAPTURE(preset.name);
+    const Machine& m = preset.machine;
+    CHECK(swath_turn_speed_mps(m, m.working_width_m) == m.turn_speed_mps);
+  }
+  const double cap_mps = GENERATE(2.0, 3.0, 5.0, 8.0);
+  Machine slow_steering;
+  slow_steering.max_steer_rate_deg_s = 15;
+  slow_steering.max_lateral_mps2 = 2;
+  slow_steering.work_speed_mps = 2;
+  slow_steering.max_speed_mps = slow_steering.turn_speed_mps = cap_mps;
+  const auto time_at_s = [&](double speed_mps) {
+    const auto turns = connections({}, beside(3), limits_at(slow_steering, speed_mps));
+    REQUIRE(!turns.empty());
+    return turn_time_s(turns.front(), slow_steering);
+  };
+  const double chosen_mps = swath_turn_speed_mps(slow_steering, 3);
+  CHECK(chosen_mps <= cap_mps);
+  CHECK((cap_mps < 3 || chosen_mps < cap_mps));
+  for (double share = 1; share > 0.1; share *= 0.97)
+    CHECK(time_at_s(chosen_mps) <= 1.01 * time_at_s(share * cap_mps));
+}
+
 TEST_CASE("no turn of any speed is faster than the fastest", "[motion][timed_turn]") {
   const Machine m = machine_presets()[GENERATE(0U, 1U, 2U, 4U)].machine;
   const Pose to = GENERATE(Pose{{0, 3}, std::numbers::pi}, Pose{{4, -7}, -2.5}, Pose{{12, 3}, 0.4});

@@ -107,3 +107,20 @@ TEST_CASE("a turn forwards at lower speed is driven where one with stops takes l
   REQUIRE(planned->blocks.size() == 1);
   CHECK(planned->blocks.front().turn_s < 1140);  // 1144 s with fishtails from swath 4 to 5 and from 6 to 7
 }
+
+TEST_CASE("a machine that may turn faster takes no longer", "[plan][limits]") {
+  const auto duration_at_s = [](const std::string& turn_speed) {
+    const Job job = job_of(settings_of_toml(
+        "[machine]\nmax_steer_rate_deg_s = 15\nmax_lateral_mps2 = 2\nmax_speed_mps = 5\nwork_speed_mps = 2.5\n"
+        "turn_speed_mps = " + turn_speed + "\n[headland]\npasses = 4\n",
+        "test"));
+    const auto planned = plan(paper_field("f1"), job, Repair::notes_only, no_progress);
+    REQUIRE(planned.has_value());
+    CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});
+    return planned->file.trajectories.at(0).duration_s;
+  };
+  const double slowest_s = duration_at_s("1");
+  const double slow_s = duration_at_s("3");
+  CHECK(slow_s < slowest_s);
+  CHECK(duration_at_s("5") < 1.005 * slow_s);  // the speeds tried are a tenth apart
+}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "selion/motion/standing.hpp"
@@ -14,6 +15,8 @@ namespace {
 constexpr double kNextSpeed = 0.75;
 constexpr double kLeastClothoid = 0.1;  // of the tightest radius
 constexpr std::size_t kMostSpeeds = 10;
+constexpr double kSlightlySlower = 0.9;
+constexpr int kNoFasterInVain = 3;  // speeds tried after the best: the shape of the turn changes among them
 
 /// Straights before and after the turn, so long that it may begin and end at rest.
 struct Leads {
@@ -79,6 +82,26 @@ std::vector<double> turn_speeds(const Machine& machine) {
     speeds.push_back(next);
   }
   return speeds;
+}
+
+double swath_turn_speed_mps(const Machine& machine, double spacing_m) {
+  const auto time_at_s = [&](double speed_mps) {
+    const Swings swings{limits_at(machine, speed_mps)};
+    const auto turn = Connections{{{0, 0}, 0}, {{0, spacing_m}, std::numbers::pi}, swings}.next();
+    return turn ? turn_time_s(*turn, machine) : std::numeric_limits<double>::infinity();
+  };
+  double best_mps = machine.turn_speed_mps;
+  double best_s = time_at_s(best_mps);
+  double speed_mps = best_mps;
+  for (int in_vain = 0; in_vain < kNoFasterInVain; ++in_vain) {
+    speed_mps *= kSlightlySlower;
+    const double time_s = time_at_s(speed_mps);
+    if (time_s >= best_s) continue;
+    best_s = time_s;
+    best_mps = speed_mps;
+    in_vain = -1;
+  }
+  return best_mps;
 }
 
 std::optional<TimedTurn> fastest_turn(const Pose& from, const Pose& to, const Machine& machine,

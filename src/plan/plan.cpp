@@ -12,6 +12,7 @@
 #include "selion/field/frame.hpp"
 #include "selion/layout/layout.hpp"
 #include "selion/layout/zones.hpp"
+#include "selion/motion/timed_turn.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/route/route.hpp"
 
@@ -127,6 +128,13 @@ Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, con
   return other;
 }
 
+/// What turns are laid out for. They are driven as fast as the machine may.
+Job for_fast_turns(Job job) {
+  job.machine.turn_speed_mps =
+      swath_turn_speed_mps(job.machine, job.machine.working_width_m - job.layout.overlap_m);
+  return job;
+}
+
 void add_block(Plan& plan, const PlannedBlock& planned, const LocalFrame& frame, const Job& job) {
   const Drive drive = drive_of(planned.route, job.machine);
   add_records(plan.file, planned, drive, frame, job.machine);
@@ -144,9 +152,10 @@ Result<Plan> plan(const Field& field, const Job& job, Repair repair, const Progr
                   job.machine);
   check_start(cleaned, job.route.start);
   Plan plan = described(field, job, frame, cleaned);
+  const Job for_turns = for_fast_turns(job);
   std::string reasons;
   for (const Block& block : cleaned.blocks) {
-    const auto planned = plan_block(block, frame, job, progress);
+    const auto planned = plan_block(block, frame, for_turns, progress);
     if (planned) {
       add_block(plan, *planned, frame, job);
       continue;

@@ -30,6 +30,11 @@ double turn_time_s(const Path& turn, const Machine& machine);
 /// to gain is less than that a curve, and what is lost to braking grows. One to ten.
 std::vector<double> turn_speeds(const Machine& machine);
 
+/// The speed, turn_speed_mps or lower, for which the shortest turn between swaths `spacing_m` apart is the
+/// fastest: with slow steering, turns for the highest speed are so long that slower ones take less time.
+/// Within a tenth.
+double swath_turn_speed_mps(const Machine& machine, double spacing_m);
+
 struct TimedTurn {
   Path path;
   double planned_mps =
