@@ -30,6 +30,7 @@ Route two_swaths(const Machine& m) {
            {PieceKind::turn, "", way},
            {PieceKind::swath, "2", {{line(start.at, {0, 6})}}}},
           {},
+          {},
           {}};
 }
 
@@ -40,6 +41,7 @@ Route with_reverse() {
   return {{{PieceKind::swath, "1", first},
            {PieceKind::transfer, "", {{back, Gear::reverse}}},
            {PieceKind::swath, "2", first}},
+          {},
           {},
           {}};
 }
@@ -137,6 +139,7 @@ TEST_CASE("between pieces of work that meet the tool stays down", "[plan][drive]
   const Machine m = with_tool(2, 4, 0);
   const Route route{{{PieceKind::swath, "1", {{line({0, 0}, {50, 0})}}},
                      {PieceKind::headland_pass, "H1", {{line({50, 0}, {90, 0})}}}},
+                    {},
                     {},
                     {}};
   CHECK(waits_of(drive_of(route, m)) == std::vector<double>{4, 2});

@@ -110,10 +110,12 @@ TEST_CASE("a turn forwards at lower speed is driven where one with stops takes l
 
 TEST_CASE("a machine that may turn faster takes no longer", "[plan][limits]") {
   const auto duration_at_s = [](const std::string& turn_speed) {
-    const Job job = job_of(settings_of_toml(
-        "[machine]\nmax_steer_rate_deg_s = 15\nmax_lateral_mps2 = 2\nmax_speed_mps = 5\nwork_speed_mps = 2.5\n"
-        "turn_speed_mps = " + turn_speed + "\n[headland]\npasses = 4\n",
-        "test"));
+    const Job job =
+        job_of(settings_of_toml("[machine]\nmax_steer_rate_deg_s = 15\nmax_lateral_mps2 = 2\nmax_speed_mps = "
+                                "5\nwork_speed_mps = 2.5\n"
+                                "turn_speed_mps = " +
+                                    turn_speed + "\n[headland]\npasses = 4\n",
+                                "test"));
     const auto planned = plan(paper_field("f1"), job, Repair::notes_only, no_progress);
     REQUIRE(planned.has_value());
     CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});

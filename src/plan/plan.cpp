@@ -140,6 +140,8 @@ void add_block(Plan& plan, const PlannedBlock& planned, const LocalFrame& frame,
   add_records(plan.file, planned, drive, frame, job.machine);
   plan.blocks.push_back(report_of(planned, drive, frame, job));
   for (const std::string& note : notes_of(planned)) plan.notes.push_back(note);
+  for (const std::string& warning : planned.route.warnings)
+    plan.file.warnings.push_back("Block " + std::to_string(planned.block.number) + ": " + warning);
 }
 
 }  // namespace

@@ -2,37 +2,17 @@
 #include "selion/route/route.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numbers>
 
 #include "driver.hpp"
+#include "gateway.hpp"
 #include "selion/core/format.hpp"
+#include "selion/core/units.hpp"
 #include "work.hpp"
 
 namespace selion {
 namespace {
-
-constexpr double kGateRoom_m = 0.05;  // between the body and the border at the gate
-
-std::string called(const BlockGate& gate) { return gate.name.empty() ? "the gate" : "gate " + gate.name; }
-
-/// `room_m` inside the gate; absent where the machine does not fit there.
-std::optional<Pose> at_gate(const Driver& driver, const BlockGate& gate, double room_m, double heading_rad) {
-  const Pose pose{gate.at + (room_m + kGateRoom_m) * unit(gate.inward_rad), heading_rad};
-  if (!fits(driver.terrain().space, driver.terrain().footprint, pose)) return std::nullopt;
-  return pose;
-}
-
-std::optional<Pose> entry_at(const Driver& driver, const BlockGate& gate) {
-  const Machine& machine = driver.machine();
-  return at_gate(driver, gate, std::max(machine.rear_m, -machine.tool_x_m), gate.inward_rad);
-}
-
-std::optional<Pose> exit_at(const Driver& driver, const BlockGate& gate) {
-  const Machine& machine = driver.machine();
-  return at_gate(driver, gate, std::max(machine.front_m, machine.tool_x_m),
-                 gate.inward_rad + std::numbers::pi);
-}
 
 std::optional<Infeasible> too_narrow(const BlockGate& gate, const Machine& machine) {
   if (!gate.width_m || *gate.width_m >= machine.body_width_m) return std::nullopt;
@@ -49,17 +29,33 @@ void work_all(Work& work, HeadlandOrder headland, const BlockGate* gate, const P
   work.put_off();
 }
 
-void enter(Driver& driver, const BlockGate& gate, std::vector<std::string>& notes) {
-  driver.stand_at(entry_at(driver, gate));
-  if (!driver.here())
-    notes.push_back("the machine does not fit inside " + called(gate) +
-                    " square to the border; the drive starts elsewhere");
+/// What a person who opens the gate must know.
+std::string askew_note(const BlockGate& gate, const AtGate& there, const std::string& does) {
+  return "the machine does not fit inside " + called(gate) + " square to the border: it " + does + " " +
+         fixed(std::abs(degrees_of_radians(there.askew_rad)), 0) + " degrees askew, " +
+         fixed(there.further_in_m, 2) + " m further in";
 }
 
-void leave(Driver& driver, const BlockGate& gate, std::vector<std::string>& notes) {
-  const auto out = exit_at(driver, gate);
-  if (out && !driver.drive_out_to(*out))
-    notes.push_back("no way back to " + called(gate) + " was found; the drive ends elsewhere");
+void enter(Driver& driver, const BlockGate& gate, Route& told) {
+  const auto there = at_gate(driver.terrain(), gate, GateWay::in);
+  if (!there) {
+    told.warnings.push_back("the machine does not fit inside " + called(gate) +
+                            "; the drive starts elsewhere");
+    return;
+  }
+  if (!there->is_square()) told.notes.push_back(askew_note(gate, *there, "starts"));
+  driver.stand_at(there->pose);
+}
+
+void leave(Driver& driver, const BlockGate& gate, Route& told) {
+  const auto there = at_gate(driver.terrain(), gate, GateWay::out);
+  if (!there)
+    told.warnings.push_back("the machine does not fit inside " + called(gate) +
+                            " on its way out; the drive ends elsewhere");
+  else if (!driver.drive_out_to(there->pose))
+    told.warnings.push_back("no way back to " + called(gate) + " was found; the drive ends elsewhere");
+  else if (!there->is_square())
+    told.notes.push_back(askew_note(gate, *there, "ends"));
 }
 
 bool works_a_swath(const std::vector<RoutePiece>& pieces) {
@@ -86,14 +82,15 @@ Result<Route> route(const Block& block, const Layout& layout, const Machine& mac
   if (gate != nullptr)
     if (const auto why = too_narrow(*gate, machine)) return *why;
   Driver driver{block, layout, machine};
-  std::vector<std::string> notes;
-  if (gate != nullptr) enter(driver, *gate, notes);
+  Route route;
+  if (gate != nullptr) enter(driver, *gate, route);
   Work work{driver, layout};
   work_all(work, options.headland, gate, progress);
   if (!works_a_swath(driver.driven()))
     return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
-  if (gate != nullptr) leave(driver, *gate, notes);
-  Route route{driver.driven(), work.left(), std::move(notes)};
+  if (gate != nullptr) leave(driver, *gate, route);
+  route.pieces = driver.driven();
+  route.left_out = work.left();
   name_parts(route);
   return route;
 }

@@ -30,6 +30,7 @@ struct Route {
   std::vector<RoutePiece> pieces;
   std::vector<std::string> left_out;  ///< ids of what the machine cannot reach, or not leave again
   std::vector<std::string> notes;
+  std::vector<std::string> warnings;  ///< what a person must know before driving it
 
   friend bool operator==(const Route&, const Route&) = default;
 };

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include <algorithm>
+
+#include "field_samples.hpp"
+#include "plan_check.hpp"
+#include "selion/field/frame.hpp"
+#include "selion/plan/job_file.hpp"
+#include "selion/plan/plan.hpp"
+
+using namespace selion;
+
+namespace {
+
+constexpr double kLong_m = 220;
+constexpr double kWide_m = 140;
+
+/// A rectangle with a gate at `share` of its longer side, 0 and 1 being corners.
+Field field_with_gate(double share) {
+  Field field = field_of_metres({{{{0, 0}, {kLong_m, 0}, {kLong_m, kWide_m}, {0, kWide_m}}, {}}});
+  const LonLat a = field.parts.at(0).shell.at(0);
+  const LonLat b = field.parts.at(0).shell.at(1);
+  const LonLat at{a.lon_deg + share * (b.lon_deg - a.lon_deg), a.lat_deg + share * (b.lat_deg - a.lat_deg)};
+  field.gates.push_back(Gate{.name = "lane", .at = at, .width_m = {}});
+  return field;
+}
+
+double from_gate_m(const Plan& plan, LonLat at) {
+  const LocalFrame frame = LocalFrame::centred(plan.file.gates.at(0).at);
+  return length_m(frame.to_local(at));
+}
+
+}  // namespace
+
+TEST_CASE("the drive starts and ends at its gate, in a corner too", "[plan][gate]") {
+  const double share = GENERATE(0.0, 0.002, 0.5, 0.996, 1.0);
+  const auto machine = GENERATE("robot-3m", "tractor-6m");
+  CAPTURE(share, machine);
+  const Job job = job_of(settings_of_toml("[machine]\npreset = \"" + std::string{machine} + "\"\n", "test"));
+
+  const auto planned = plan(field_with_gate(share), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});
+  const TrajectoryRecord& drive = planned->file.trajectories.at(0);
+  const double near_m = 2 * job.machine.body_width_m + job.machine.front_m + job.machine.rear_m;
+  CHECK(from_gate_m(*planned, drive.line.front()) < near_m);
+  CHECK(from_gate_m(*planned, drive.line.back()) < near_m);
+  CHECK(planned->file.warnings.empty());
+  const bool askew = std::any_of(planned->notes.begin(), planned->notes.end(), [](const std::string& note) {
+    return note.find("inside gate lane square to the border") != std::string::npos;
+  });
+  CHECK(askew == (share != 0.5));
+}
