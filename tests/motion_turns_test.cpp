@@ -333,6 +333,18 @@ TEST_CASE("ten thousand random pose pairs are met to a picometre, hardly one by 
   CHECK(far_round <= 100);  // 79; codes for continuous curvature are known for 2.4 %
 }
 
+TEST_CASE("a swing of a hair between two long ones is as long as the goal needs", "[motion][turns]") {
+  const Pair pair{{{4.0566431090462372, 3.464226986610611}, -3.0351020787945093},
+                  {{6.6887401867551421, 4.9430812124920287}, -2.0116557754260951}};
+  const Swings swings{kPaper};
+  const auto shortest = Connections{pair.from, pair.to, swings}.next();
+  REQUIRE(shortest);
+  CHECK(std::any_of(shortest->begin(), shortest->end(),
+                    [](const Stretch& stretch) { return stretch.curve.length_m < 1e-3; }));
+  CHECK(distance_m(end_pose(*shortest).at, pair.to.at) < 1e-12);
+  CHECK(heading_gap(end_pose(*shortest).heading_rad, pair.to.heading_rad) < 1e-12);
+}
+
 TEST_CASE("ways come shortest first and are those that the families have", "[motion][turns]") {
   const auto& limits = GENERATE(from_range(kLimits.begin(), kLimits.end()));
   CAPTURE(limits.curvature_per_m);

@@ -74,9 +74,23 @@ bool second_follows(ThreeSwings& d, double turned_rad) {
   return d[1] >= 0 && d[1] <= kMost_rad && d[0] <= kMost_rad && d[2] <= kMost_rad;
 }
 
-std::optional<ThreeSwings> settled(ThreeSwings d, double turned_rad) {
+/// The length of a small swing grows with the root of its deflection: what is rounded away between the outer
+/// swings would move the end by more than they do. A heading missed by as much is nothing.
+void mend_small_second(ThreeSwings& d, Point at_end, Point goal, const Swings& swings) {
+  constexpr double kSmall_rad = 1e-4;
+  if (d[1] <= 0 || d[1] > kSmall_rad) return;
+  const Point half1 = direction({d[0] / 2, 0});
+  const Point along = turned(turned(half1, half1), mirrored(direction({d[1] / 2, 0})));
+  const Point off = miss_of(d, at_end, goal, swings).value;
+  d[1] = std::max(0.0, d[1] - dot(off, along) / swings.chord(d[1], along).slope_m_per_rad);
+}
+
+std::optional<ThreeSwings> settled(ThreeSwings d, double turned_rad, Point at_end, Point goal,
+                                   const Swings& swings) {
   d[1] = d[0] + d[2] - turned_rad;
-  return d[1] >= 0 ? std::optional{d} : std::nullopt;
+  if (d[1] < 0) return std::nullopt;
+  mend_small_second(d, at_end, goal, swings);
+  return d;
 }
 
 /// Left, right, left; the deflections as magnitudes.
@@ -99,7 +113,7 @@ std::optional<ThreeSwings> polished_left(const ThreeSwings& start, const Pose& g
     const double scale = cross(miss.by_first, miss.by_third);
     d[0] = stepped(d[0], -cross(miss.value, miss.by_third) / scale);
     d[2] = stepped(d[2], -cross(miss.by_first, miss.value) / scale);
-    if (met) return settled(d, turned);  // with one more step, down to rounding
+    if (met) return settled(d, turned, at_end, goal.at, swings);  // with one more step, down to rounding
   }
   return std::nullopt;
 }
