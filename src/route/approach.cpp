@@ -163,7 +163,8 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals)
   keep_cheaper(by(roads().way(*here_, poses, ways_back())));
   if (!best) best = turn_anyhow_into(goals);
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
-    if (auto found = searched(terrain_, {*here_}, poses)) keep_cheaper(by(std::move(found->arrival)));
+    if (auto found = searched(terrain_, {*here_}, poses, roads().known_ground()))
+      keep_cheaper(by(std::move(found->arrival)));
   return best;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "known_ground.hpp"
 #include "selion/geometry/area_index.hpp"
 #include "selion/motion/footprint.hpp"
 #include "selion/motion/turns.hpp"
@@ -61,8 +62,8 @@ struct Found {
   Arrival arrival;
 };
 /// A way found by searching the ground itself, step by step: for narrow places. Dear; absent where none was
-/// found. @pre at least one place to begin; the first says where to look.
+/// found. @pre at least one place to begin; the first says where to look. `known`: of the same terrain.
 std::optional<Found> searched(const Terrain& terrain, const std::vector<Pose>& from,
-                              const std::vector<Pose>& goals);
+                              const std::vector<Pose>& goals, KnownGround& known);
 
 }  // namespace selion

@@ -28,10 +28,12 @@ Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, con
   return link;
 }
 
-void work_out(const Terrain& terrain, Link& link) {
-  if (link.worked_out) return;
+std::optional<Path> turn_of(const Terrain& terrain, const Link& link) {
+  return turn_soon_found(terrain, link.start, link.end, longest_m(terrain, link));
+}
+
+void work_out(const Terrain& terrain, Link& link, std::optional<Path> turn) {
   link.worked_out = true;
-  auto turn = turn_soon_found(terrain, link.start, link.end, longest_m(terrain, link));
   if (!turn) return;
   link.is_first_found = true;
   link.path = std::move(*turn);

@@ -30,8 +30,10 @@ struct Link {
 
 /// A link of the least cost that a turn between the poses can have.
 Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, const Pose& end);
-/// By the first turn found: of the many that a search asks for it drives few.
-void work_out(const Terrain& terrain, Link& link);
+/// The first turn found for a link: of the many that a search asks for it drives few.
+std::optional<Path> turn_of(const Terrain& terrain, const Link& link);
+/// Sets a link's path and cost by its turn.
+void work_out(const Terrain& terrain, Link& link, std::optional<Path> turn);
 /// The link's path, its turn the one that takes least.
 Path at_its_fastest(const Terrain& terrain, const Link& link);
 

@@ -108,7 +108,7 @@ void Quest::expand(const Frontier::Entry& next) {
   if (next.link == nullptr) {
     if (!frontier_.outdated(next, rest_m(next.node))) leave(next.node);
   } else if (frontier_.promises(next)) {
-    work_out(terrain_, *next.link);
+    roads_.work_out(*next.link);
     frontier_.drive(next.node, *next.link, rest_m(next.link->to));
   }
 }
@@ -178,7 +178,7 @@ std::optional<Arrival> Quest::beyond() {
   const std::vector<std::size_t> nodes = departures();
   std::vector<Pose> poses(nodes.size());
   std::transform(nodes.begin(), nodes.end(), poses.begin(), [&](std::size_t node) { return pose(node); });
-  auto found = searched(terrain_, poses, goals_);
+  auto found = searched(terrain_, poses, goals_, roads_.known_ground());
   if (!found) {
     roads_.remember_in_vain(goals_, known);
     return std::nullopt;

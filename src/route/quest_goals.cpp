@@ -75,7 +75,7 @@ bool Quest::add_entries(std::size_t end) {
   if (!ends_[end].joined) join(end);
   for (const auto& [station, link] : ends_[end].turns) {
     if (realm_ != nullptr && !std::binary_search(realm_->begin(), realm_->end(), station)) continue;
-    work_out(terrain_, *link);
+    roads_.work_out(*link);
     if (!std::isinf(link->cost_m)) entries_.push_back({link->start, link->cost_m});
   }
   return entries_.size() > before;

@@ -141,6 +141,13 @@ Roads::Links& Roads::turns_from(std::size_t node) {
   return known->second;
 }
 
+void Roads::work_out(Link& link) {
+  if (link.worked_out) return;
+  const auto [known, is_new] = known_.turns.try_emplace({link.start, link.end});
+  if (is_new) known->second = turn_of(terrain_, link);
+  selion::work_out(terrain_, link, known->second);
+}
+
 const Roads::Stations* Roads::remember_realm(Stations stations) {
   return &realms_.emplace_back(std::move(stations));
 }

@@ -71,6 +71,11 @@ class Roads {
   /// To stations of other lines.
   Links& turns_from(std::size_t node);
 
+  /// A link of a search's own, from where it begins or to its goals: worked out once for all searches.
+  void work_out(Link& link);
+  /// What searches of the ground know already.
+  KnownGround& known_ground() { return known_; }
+
   /// Remembers all the stations that a search reached, and that no road leads out of.
   const Stations* remember_realm(Stations stations);
   /// Such a set that holds all of these; none known: null.
@@ -101,6 +106,7 @@ class Roads {
   std::unordered_map<long long, std::vector<std::size_t>> cells_;
   std::unordered_map<std::size_t, Links> turns_;
   std::unordered_map<std::size_t, Links> next_;
+  KnownGround known_;
   std::deque<Stations> realms_;
   std::vector<std::pair<std::vector<Pose>, Stations>> in_vain_;
 };

@@ -63,8 +63,9 @@ struct Node {
 
 class Search {
  public:
-  Search(const Terrain& terrain, const std::vector<Pose>& from, const std::vector<Pose>& goals, Guide guide)
-      : terrain_{terrain}, goals_{goals}, guide_{std::move(guide)}, departures_{from.size()} {
+  Search(const Terrain& terrain, const std::vector<Pose>& from, const std::vector<Pose>& goals, Guide guide,
+         KnownGround& known)
+      : terrain_{terrain}, goals_{goals}, guide_{std::move(guide)}, known_{known}, departures_{from.size()} {
     const double step = std::max(1.0, 0.6 / terrain.limits.curvature_per_m);
     add_moves(Gear::forward, step);
     if (terrain.may_reverse) add_moves(Gear::reverse, step);
@@ -85,6 +86,7 @@ class Search {
   };
   void add_moves(Gear gear, double step_m);
   void push(std::size_t node);
+  [[nodiscard]] std::optional<Path> moved(const Pose& pose, std::size_t move, TriedMoves& tried) const;
   void expand(std::size_t node);
   [[nodiscard]] std::vector<std::size_t> foremost_departures() const;
   [[nodiscard]] std::vector<std::size_t> nearest_goals(Point p) const;
@@ -94,6 +96,7 @@ class Search {
   const Terrain& terrain_;
   const std::vector<Pose>& goals_;
   Guide guide_;
+  KnownGround& known_;
   std::size_t departures_;  // the first nodes
   std::vector<Move> moves_;
   std::vector<Node> nodes_;
@@ -129,9 +132,23 @@ void Search::push(std::size_t node) {
   if (rest < kFar) open_.emplace(nodes_[node].cost + kGreed * rest, node);
 }
 
+/// The way of a move; absent where it does not stay inside.
+std::optional<Path> Search::moved(const Pose& pose, std::size_t move, TriedMoves& tried) const {
+  const std::uint32_t bit = std::uint32_t{1} << move;
+  if ((tried.tried & bit) != 0 && (tried.inside & bit) == 0) return std::nullopt;
+  Path way = moved_to(pose, moves_[move].path);
+  if ((tried.tried & bit) != 0) return way;
+  tried.tried |= bit;
+  if (!stays_inside(terrain_.space, terrain_.footprint, way)) return std::nullopt;
+  tried.inside |= bit;
+  return way;
+}
+
 void Search::expand(std::size_t node) {
-  for (const Move& move : moves_) {
-    const Pose pose = nodes_[node].pose;
+  const Pose pose = nodes_[node].pose;
+  TriedMoves& tried = known_.moves[pose];
+  for (std::size_t m = 0; m < moves_.size(); ++m) {
+    const Move& move = moves_[m];
     const Pose end{placed(pose, move.end), pose.heading_rad + move.turn_rad};
     double cost = nodes_[node].cost + move.length_m;
     if (node >= departures_ && move.gear != nodes_[node].gear)
@@ -139,10 +156,10 @@ void Search::expand(std::size_t node) {
     const std::uint64_t key = key_of(end, move.gear);
     const auto known = best_.find(key);
     if (known != best_.end() && nodes_[known->second].cost <= cost) continue;
-    Path way = moved_to(pose, move.path);
-    if (!stays_inside(terrain_.space, terrain_.footprint, way)) continue;
+    auto way = moved(pose, m, tried);
+    if (!way) continue;
     if (terrain_.mainland.holds(end.at)) cost += kOverMainland * move.length_m;
-    nodes_.push_back({end, move.gear, cost, node, std::move(way), false});
+    nodes_.push_back({end, move.gear, cost, node, std::move(*way), false});
     best_[key] = nodes_.size() - 1;
     push(nodes_.size() - 1);
   }
@@ -236,11 +253,11 @@ Path shortened(const Terrain& terrain, Path path) {
 }  // namespace
 
 std::optional<Found> searched(const Terrain& terrain, const std::vector<Pose>& from,
-                              const std::vector<Pose>& goals) {
+                              const std::vector<Pose>& goals, KnownGround& known) {
   for (const double margin_m : {40.0, std::numeric_limits<double>::infinity()}) {
     Guide guide{terrain, from.front(), goals, margin_m};
     if (guide.to_goal_m(from.front().at) == kFar) continue;  // the way leads round about: look wider
-    auto found = Search{terrain, from, goals, std::move(guide)}.run();
+    auto found = Search{terrain, from, goals, std::move(guide), known}.run();
     if (found) {
       Path& way = found->arrival.way;
       way = shortened(terrain, shortened(terrain, std::move(way)));
