@@ -3,36 +3,18 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 
 #include "field_samples.hpp"
-#include "selion/core/error.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
 #include "selion/verify/verify.hpp"
 #include "verify_mutants.hpp"
+#include "verify_samples.hpp"
 
 using namespace selion;
 
 namespace {
-
-std::string text_of(const Verdict& verdict) {
-  std::string text;
-  for (const Finding& finding : verdict.findings) text += finding.code + ": " + finding.what + "\n";
-  return text;
-}
-
-/// As whoever drives it reads it.
-PlanFile written(const Field& field, const std::string& job) {
-  const auto planned = plan(field, job_of(settings_of_toml(job, "test")), Repair::notes_only, no_progress);
-  REQUIRE(planned.has_value());
-  return plan_from_geojson(to_geojson(planned->file), "test");
-}
-
-Field sample(const std::string& name) {
-  return read_file(std::filesystem::path{SELION_DATA_DIR} / "fields" / name).at(0);
-}
 
 Field small_field() { return field_of_metres({{{{0, 0}, {62, 3}, {58, 44}, {30, 50}, {-4, 41}}, {}}}); }
 Field holed_field() {
@@ -90,9 +72,7 @@ TEST_CASE("every plan of ours passes the independent check", "[verify]") {
   const auto planned = plan(field, job_of(settings_of_toml(job, "test")), Repair::notes_only, no_progress);
   if (!planned) return;  // narrower than the tractor needs
   const PlanFile file = plan_from_geojson(to_geojson(planned->file), "test");
-  const GivenField given{std::filesystem::path{SELION_DATA_DIR} / "fields" / name, std::nullopt,
-                         std::nullopt};
-  const Verdict verdict = verify(file, given);
+  const Verdict verdict = verify(file, GivenField{.file = sample_file(name)});
   CHECK(text_of(verdict) == "");
   CHECK(verdict.covered_m2 > 0.5 * verdict.area_m2);
 }
@@ -137,17 +117,6 @@ TEST_CASE("a piece that turns round and round is refused before it is followed",
   CHECK(std::ranges::count(verdict.findings, "piece", &Finding::code) == 1);
 }
 
-TEST_CASE("a plan is held against its owner's field", "[verify]") {
-  const PlanFile plan = written(sample("with_pond.geojson"), "");
-  const auto against = [&](const char* name) {
-    return verify(plan, GivenField{std::filesystem::path{SELION_DATA_DIR} / "fields" / name, std::nullopt,
-                                   std::nullopt});
-  };
-  CHECK(text_of(against("with_pond.geojson")) == "");
-  CHECK(text_of(against("f1.zip")) != "");
-  CHECK_THROWS_AS(against("SOURCES.md"), InputError);
-}
-
 TEST_CASE("a tool that gets out is found where the body stays inside", "[verify]") {
   const auto rectangle = [](double in_m) {
     return Polygon{{{in_m, in_m}, {60 - in_m, in_m}, {60 - in_m, 40 - in_m}, {in_m, 40 - in_m}}, {}};
@@ -158,25 +127,6 @@ TEST_CASE("a tool that gets out is found where the body stays inside", "[verify]
     return std::ranges::count(verdict.findings, code, &Finding::code);
   };
   CHECK(count("tool_outside") > 0);
-}
-
-TEST_CASE("ground of the plan that its owner's field lacks, or has and the plan not, is found", "[verify]") {
-  const auto codes_against = [](const Field& planned, const char* name) {
-    const std::filesystem::path file = std::filesystem::path{SELION_DATA_DIR} / "fields" / name;
-    std::string codes;
-    for (const Finding& finding :
-         verify(written(planned, ""), GivenField{file, std::nullopt, std::nullopt}).findings)
-      codes += finding.code + " ";
-    return codes;
-  };
-  Field no_pond = sample("with_pond.geojson");
-  for (LonLatPolygon& part : no_pond.parts) part.holes.clear();
-  no_pond.obstacles.clear();
-  CHECK(codes_against(no_pond, "with_pond.geojson").find("given_") != std::string::npos);
-  Field half = sample("two_parts.geojson");
-  half.parts.resize(1);
-  CHECK(codes_against(half, "two_parts.geojson").find("given_left_out") != std::string::npos);
-  CHECK(codes_against(sample("f1.geojson"), "l_shape.geojson") != "");
 }
 
 TEST_CASE("an obstacle on the way is found whatever block it is said to be of", "[verify]") {

@@ -3,29 +3,15 @@
 #include <cmath>
 
 #include "check.hpp"
-#include "owner_file.hpp"
+#include "owner_ground.hpp"
 #include "selion/core/error.hpp"
 
 namespace selion::verifying {
 namespace {
 
-constexpr double kBorder_m = 0.02;  // a centimetre of repairs, and the file's decimals
-constexpr double kCrumb_m2 = 0.05;
-
-/// Of fields that are taken; even-odd where rings cross.
-Shape shape_of(const Plane& plane, const OwnerFeature& feature) {
-  std::vector<Shape> parts;
-  for (const LonLatArea& part : feature.parts) {
-    Outline outline{plane.to_local(part.shell), {}};
-    for (const LonLatLine& hole : part.holes) outline.holes.push_back(plane.to_local(hole));
-    const auto finite = [](const std::vector<Point>& ring) {
-      return std::ranges::all_of(ring, [](Point p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); });
-    };
-    if (finite(outline.shell) && std::ranges::all_of(outline.holes, finite))
-      parts.push_back(made_valid(polygon_of(outline)));
-  }
-  return united(parts);
-}
+constexpr double kBorder_m = 0.02;
+// A repair moves a border by a centimetre at most; the planner's grid and the file's decimals add to it.
+constexpr double kRepaired_m = 0.012;
 
 Shape planned_ground(const Case& plan) {
   std::vector<Shape> all;
@@ -43,17 +29,38 @@ const OwnerFeature* field_of(const std::vector<OwnerFeature>& features, const Ca
   const OwnerFeature* best = nullptr;
   double most = 0;
   for (const OwnerFeature& feature : features) {
-    if (!feature.what.empty() || !is_named(feature, given)) continue;
-    const double both = area_m2(common(shape_of(plan.plane, feature), planned));
+    if (feature.role != OwnerRole::field || !is_named(feature, given)) continue;
+    const double both = area_m2(common(ground_of(plan.plane, feature).area, planned));
     if (both > most || (best == nullptr && given.name)) best = &feature, most = both;
   }
   return best;
 }
 
+/// Each place of `where` that no repair explains.
 void tell(Case& plan, const char* code, const Shape& where, const std::string& what) {
-  const double area = area_m2(where);
-  if (area <= kCrumb_m2) return;
-  plan.findings.add(code, 0, place_in(parts_of(where).front()), {area, 0}, shown(area, 2) + " m2 " + what);
+  for (const Shape& part : parts_of(where)) {
+    if (!(area_m2(grown(part, -kRepaired_m / 2)) > 0)) continue;
+    const double area = area_m2(part);
+    plan.findings.add(code, 0, place_in(part), {area, 0}, shown(area, area < 0.1 ? 4 : 2) + " m2 " + what);
+  }
+}
+
+/// What the owner has, and no block: not what obstacles and holes with their clearance take, nor what is too
+/// narrow for the machine or too small to be kept.
+Shape left_out(const Case& plan, const OwnerGround& owned, const Shape& planned,
+               std::vector<Shape> kept_off) {
+  constexpr double kSmallest_m2 = 1;
+  const Vehicle& vehicle = plan.vehicle;
+  const double most_m = std::max(vehicle.water_margin_m, vehicle.obstacle_clearance_m);
+  for (const Ground& ground : plan.grounds)
+    if (ground.obstacles) kept_off.push_back(grown(ground.obstacles, most_m));
+  kept_off.push_back(grown(owned.holes, vehicle.obstacle_clearance_m));
+  std::vector<Shape> left;
+  const double half = std::max(vehicle.machine.working_width_m, vehicle.machine.body_width_m) / 2;
+  for (const Shape& part :
+       parts_of(without(without(owned.area, grown(planned, kBorder_m)), united(kept_off))))
+    if (area_m2(part) >= kSmallest_m2 && area_m2(grown(part, -half)) > 0) left.push_back(part);
+  return united(left);
 }
 
 }  // namespace
@@ -68,27 +75,20 @@ void check_given(Case& plan, const GivenField& given) {
                           " lies where the plan does");
     return;
   }
-  const Shape owned = shape_of(plan.plane, *field);
-  tell(plan, "given_outside", without(planned, grown(owned, kBorder_m)),
-       "of the plan's ground lie outside the field given");
+  const OwnerGround owned = ground_of(plan.plane, *field);
+  tell(plan, "given_outside", without(planned, owned.area),
+       "of the plan's ground lie outside the field given, or in a hole of it");
   std::vector<Shape> kept_off;
   for (const OwnerFeature& feature : features) {
-    if (feature.what.empty() || feature.what == "gate") continue;
-    const Shape obstacle = shape_of(plan.plane, feature);
-    tell(plan, "given_obstacle", common(planned, grown(obstacle, -kBorder_m)),
+    if (feature.role == OwnerRole::field || feature.role == OwnerRole::gate) continue;
+    const Shape obstacle = ground_of(plan.plane, feature).area;
+    tell(plan, "given_obstacle", common(planned, obstacle),
          "of the plan's ground lie in an obstacle of the field given");
-    const bool water = feature.what == "water";
+    const bool water = feature.role == OwnerRole::water;
     kept_off.push_back(
         grown(obstacle, water ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m));
   }
-  for (const Ground& ground : plan.grounds)
-    if (ground.obstacles)
-      kept_off.push_back(
-          grown(ground.obstacles, std::max(plan.vehicle.water_margin_m, plan.vehicle.obstacle_clearance_m)));
-  Shape left = without(owned, grown(planned, kBorder_m));
-  if (!kept_off.empty()) left = without(left, united(kept_off));
-  const double half = std::max(plan.vehicle.machine.working_width_m, plan.vehicle.machine.body_width_m) / 2;
-  tell(plan, "given_left_out", grown(left, -half),
+  tell(plan, "given_left_out", left_out(plan, owned, planned, std::move(kept_off)),
        "of the field given, wide enough for the machine, are in no block");
 }
 

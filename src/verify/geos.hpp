@@ -54,6 +54,8 @@ std::vector<std::vector<Point>> lines_of(const Shape& shape);
 std::optional<Point> place_in(const Shape& shape);
 /// Polygons by area, largest first.
 std::vector<Shape> parts_of(const Shape& shape);
+/// The smallest areas that lines cut out, however they cross.
+std::vector<Shape> faces_of(const Shape& lines);
 
 /// A shape that many are compared with.
 class Prepared {

@@ -92,6 +92,28 @@ std::string name_of(OGRFeatureH feature) {
   return {};
 }
 
+/// Of a word of docs/input.md, however it is written; absent of any other.
+std::optional<OwnerRole> role_named(const std::string& word) {
+  std::string name = lower(word);
+  std::ranges::replace_if(
+      name, [](char c) { return c == '-' || c == ' '; }, '_');
+  if (name == "water") return OwnerRole::water;
+  if (name == "gate" || name == "gates") return OwnerRole::gate;
+  constexpr std::array<std::string_view, 4> kObstacles{"obstacle", "obstacles", "no_go", "nogo"};
+  if (std::ranges::find(kObstacles, name) != kObstacles.end()) return OwnerRole::obstacle;
+  return std::nullopt;
+}
+
+/// @throws InputError where its attribute `selion` says nothing that is known.
+std::optional<OwnerRole> own_role(OGRFeatureH feature, const std::string& where) {
+  const std::string word = attribute(feature, "selion");
+  if (word.empty()) return std::nullopt;
+  if (lower(word) == "field") return OwnerRole::field;
+  if (const auto role = role_named(word)) return role;
+  throw InputError{where + ": its property selion is '" + word +
+                   "', but must be field, obstacle, gate, no_go or water"};
+}
+
 using Transformation = std::unique_ptr<void, void (*)(void*)>;
 
 /// From the layer's system to WGS84; null where it is that already, or the layer does not say.
@@ -110,8 +132,8 @@ Transformation to_wgs84(OGRLayerH layer) {
   return {SELION_OGR(OCTNewCoordinateTransformation)(from.get(), wgs84.get()), destroy};
 }
 
-void add_layer(std::vector<OwnerFeature>& features, OGRLayerH layer) {
-  const std::string layer_name = lower(SELION_OGR(OGR_L_GetName)(layer));
+void add_layer(std::vector<OwnerFeature>& features, OGRLayerH layer, OwnerRole usual,
+               const std::string& where) {
   const Transformation transformation = to_wgs84(layer);
   const auto next = SELION_OGR(OGR_L_GetNextFeature);
   const auto destroy = SELION_OGR(OGR_F_Destroy);
@@ -119,9 +141,9 @@ void add_layer(std::vector<OwnerFeature>& features, OGRLayerH layer) {
   SELION_OGR(OGR_L_ResetReading)(layer);
   while (OGRFeatureH raw = next(layer)) {
     const std::unique_ptr<void, void (*)(void*)> held{raw, destroy};
-    OwnerFeature feature{name_of(raw), attribute(raw, "selion"), ++number, {}};
-    if (layer_name == "obstacles" || layer_name == "no_go" || layer_name == "water")
-      feature.what = layer_name;
+    ++number;
+    const std::string here = where + ", feature " + std::to_string(number);
+    OwnerFeature feature{name_of(raw), own_role(raw, here).value_or(usual), number, {}};
     OGRGeometryH geometry = SELION_OGR(OGR_F_GetGeometryRef)(raw);
     const std::unique_ptr<void, void (*)(void*)> straight{
         geometry == nullptr ? nullptr : SELION_OGR(OGR_G_GetLinearGeometry)(geometry, 0.5, nullptr),
@@ -144,11 +166,18 @@ std::vector<OwnerFeature> read_owner_file(const GivenField& given) {
       }};
   if (!data) throw InputError{file + ": OGR cannot read it; give the field as a vector file with polygons"};
   std::vector<OwnerFeature> features;
-  for (int i = 0; i < SELION_OGR(GDALDatasetGetLayerCount)(data.get()); ++i) {
+  const std::string where = file + ", layer ";
+  const int layers = SELION_OGR(GDALDatasetGetLayerCount)(data.get());
+  for (int i = 0; i < layers; ++i) {
     OGRLayerH layer = SELION_OGR(GDALDatasetGetLayer)(data.get(), i);
-    if (!given.layer || *given.layer == SELION_OGR(OGR_L_GetName)(layer)) add_layer(features, layer);
+    const std::string name = SELION_OGR(OGR_L_GetName)(layer);
+    const bool wanted = given.layer == name;
+    // One that is alone or asked for holds fields whatever it is called.
+    const auto role = wanted || layers == 1 ? std::nullopt : role_named(name);
+    if (wanted || role || !given.layer)
+      add_layer(features, layer, role.value_or(OwnerRole::field), where + name);
   }
-  if (features.empty())
+  if (std::ranges::count(features, OwnerRole::field, &OwnerFeature::role) == 0)
     throw InputError{file + ": there is no polygon in it" + (given.layer ? " in layer " + *given.layer : "")};
   return features;
 }

@@ -9,10 +9,13 @@
 
 namespace selion::verifying {
 
+/// What a feature is by its attribute `selion` or the name of its layer.
+enum class OwnerRole { field, obstacle, water, gate };
+
 /// A polygon feature of a file, in WGS84, as OGR gives it.
 struct OwnerFeature {
-  std::string name;      ///< of the first attribute that reads like one; else empty
-  std::string what;      ///< its attribute `selion`: "obstacle", "no_go", "water" ...; of a field empty
+  std::string name;  ///< of the first attribute that reads like one; else empty
+  OwnerRole role = OwnerRole::field;
   long long number = 0;  ///< from 1 in its layer
   std::vector<LonLatArea> parts;
 };

@@ -46,10 +46,9 @@ struct Verdict {
 
 /// The field that a plan was made for, as its owner has it.
 struct GivenField {
-  std::filesystem::path file;        ///< whatever OGR reads
-  std::optional<std::string> layer;  ///< where the file has several with polygons
-  std::optional<std::string>
-      name;  ///< of the feature, or its number; where absent, the one at the plan's place
+  std::filesystem::path file;             ///< whatever OGR reads
+  std::optional<std::string> layer = {};  ///< where the file has several with polygons
+  std::optional<std::string> name = {};   ///< of the feature, or its number; else the one at the plan's place
 };
 
 /// Checks everything that a plan file says by geometry and integration of its own: frame and field, joints,
