@@ -114,3 +114,59 @@ TEST_CASE("a feature is what its property selion says, however that is written",
   }
   CHECK_THROWS_WITH(codes(alone, with("pond")), Catch::Contains("feature 2") && Catch::Contains("'pond'"));
 }
+
+TEST_CASE("obstacles given as points and lines are held against the plan", "[verify]") {
+  const std::string field = feature_of({{field_ring(), {}}}, kField);
+  const std::string alone = collection_of({field});
+  const auto with = [&](const std::string& obstacle) { return collection_of({field, obstacle}); };
+  const std::string pole = with(feature_of(Point{40.5, 30}, R"({"selion":"obstacle","radius_m":0.03})"));
+  const std::string pylon =
+      with(feature_of(Point{40, 30}, R"({"selion":"no_go","radius_m":"2.5","name":"pylon"})"));
+  const std::string wire =
+      with(feature_of(std::vector<Point>{{30, 20}, {50, 20}, {50, 40}}, R"({"selion":"obstacle"})"));
+  const std::string road = with(
+      feature_of(std::vector<Point>{{20, -5}, {20, 30}, {45, 30}}, R"({"selion":"obstacle","width_m":4})"));
+  for (const std::string& file : {pole, pylon, wire, road}) {
+    CHECK(codes(file) == "");
+    CHECK_THAT(codes(alone, file), Catch::StartsWith("given_obstacle"));
+  }
+  CHECK_THAT(codes(alone, pylon),
+             Catch::Contains("19.51 m2 of the plan's ground lie in the obstacle 'pylon'"));
+  // 20 m and 20 m of 2 cm.
+  CHECK_THAT(codes(alone, wire), Catch::Contains("0.80 m2 of the plan's ground lie in the obstacle"));
+  CHECK_THROWS_WITH(codes(alone, with(feature_of(Point{40, 30}, R"({"selion":"obstacle"})"))),
+                    Catch::Contains("radius_m"));
+}
+
+TEST_CASE("an obstacle beside the field counts as far as the machine keeps off it", "[verify]") {
+  const std::string field = feature_of({{field_ring(), {}}}, kField);
+  const std::string job = "[field]\nwater_margin_m = 3\n";
+  const auto text = [&](const std::string& planned, const std::string& owned) {
+    const TemporaryFile given{"owned.geojson", owned};
+    const TemporaryFile source{"planned.geojson", planned};
+    return text_of(verify(written(read_file(source.path()).at(0), job), GivenField{.file = given.path()}));
+  };
+  const std::string ditch =
+      collection_of({field, feature_of({{box(10, -4, 70, -1), {}}}, R"({"selion":"water"})")});
+  CHECK(text(ditch, ditch) == "");
+  CHECK_THAT(text(collection_of({field}), ditch),
+             Catch::StartsWith("given_obstacle") && Catch::Contains("within 3.00 m of the obstacle"));
+}
+
+TEST_CASE("a finding against the owner's field tells the place", "[verify]") {
+  const TemporaryFile planned{"planned.geojson", collection_of({feature_of({{field_ring(), {}}}, kField)})};
+  const TemporaryFile obstacles{
+      "obstacles.geojson", collection_of({feature_of(Point{30, 40}, R"({"radius_m":1})"),
+                                          feature_of({{box(60, 10, 64, 14), {}}}, R"({"selion":"field"})")})};
+  const PlanFile plan = written(read_file(planned.path()).at(0), "");
+  const Verdict verdict = verify(plan, GivenField{.file = planned.path(), .obstacles = obstacles.path()});
+  REQUIRE(verdict.findings.size() == 2);
+  const LonLatRing places = polygon_of_metres({{{30, 40}, {62, 12}}, {}}).shell;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Finding& finding = verdict.findings[i];
+    CHECK(finding.code == "given_obstacle");
+    REQUIRE(finding.at.has_value());
+    CHECK(finding.at->lon_deg == Approx(places[i].lon_deg).margin(1e-5).epsilon(0));
+    CHECK(finding.at->lat_deg == Approx(places[i].lat_deg).margin(1e-5).epsilon(0));
+  }
+}

@@ -20,20 +20,22 @@ struct VerifyOptions {
   std::string field;
   std::string layer;
   std::string name;
-  std::string units = "metric";
+  std::string obstacles;
   bool json = false;
 };
 
 std::optional<GivenField> given_field(const VerifyOptions& options) {
   if (options.field.empty()) {
-    if (!options.layer.empty() || !options.name.empty())
-      throw InputError{"--layer and --field choose in a field file: name it after the plan"};
+    if (!options.layer.empty() || !options.name.empty() || !options.obstacles.empty())
+      throw InputError{"--layer, --field and --obstacles go with a field file: name it after the plan"};
     return std::nullopt;
   }
-  if (!std::filesystem::exists(options.field)) throw InputError{options.field + ": there is no such file"};
-  GivenField given{options.field, std::nullopt, std::nullopt};
+  for (const std::string& file : {options.field, options.obstacles})
+    if (!file.empty() && !std::filesystem::exists(file)) throw InputError{file + ": there is no such file"};
+  GivenField given{.file = options.field};
   if (!options.layer.empty()) given.layer = options.layer;
   if (!options.name.empty()) given.name = options.name;
+  if (!options.obstacles.empty()) given.obstacles = options.obstacles;
   return given;
 }
 
@@ -59,6 +61,9 @@ Run setup_verify(CLI::App& app) {
   app.add_option("--layer", options->layer, "of the field file")->type_name("NAME")->group(group);
   app.add_option("--field", options->name, "in the field file; else the one where the plan lies")
       ->type_name("NAME|NUMBER")
+      ->group(group);
+  app.add_option("--obstacles", options->obstacles, "a file of further obstacles, as for plan")
+      ->type_name("FILE")
       ->group(group);
   app.add_flag("--json", options->json, "as JSON, for other programs")->group(group);
   return [options] { return run_verify(*options); };

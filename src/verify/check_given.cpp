@@ -36,12 +36,36 @@ const OwnerFeature* field_of(const std::vector<OwnerFeature>& features, const Ca
   return best;
 }
 
-/// Each place of `where` that no repair explains.
-void tell(Case& plan, const char* code, const Shape& where, const std::string& what) {
+/// Each place of `where` that no repair explains. @returns whether there is one.
+bool tell(Case& plan, const char* code, const Shape& where, const std::string& what) {
+  bool found = false;
   for (const Shape& part : parts_of(where)) {
     if (!(area_m2(grown(part, -kRepaired_m / 2)) > 0)) continue;
+    found = true;
     const double area = area_m2(part);
     plan.findings.add(code, 0, place_in(part), {area, 0}, shown(area, area < 0.1 ? 4 : 2) + " m2 " + what);
+  }
+  return found;
+}
+
+double kept_m(const Vehicle& vehicle, const OwnerFeature& obstacle) {
+  return obstacle.role == OwnerRole::water ? vehicle.water_margin_m : vehicle.obstacle_clearance_m;
+}
+
+/// No block may lie in it, nor nearer than is kept where no obstacle of the plan keeps the machine off.
+void check_obstacle(Case& plan, const Shape& planned, const OwnerFeature& feature, const Shape& obstacle) {
+  constexpr double kRounded = 0.01;  // arcs are drawn as chords
+  const std::string name = (feature.name.empty() ? "" : "'" + feature.name + "' of ") + feature.where;
+  if (tell(plan, "given_obstacle", common(planned, obstacle),
+           "of the plan's ground lie in the obstacle " + name))
+    return;
+  const double kept = kept_m(plan.vehicle, feature);
+  const Shape near = grown(obstacle, std::max(0.0, (1 - kRounded) * kept - kInside_m));
+  for (const Ground& ground : plan.grounds) {
+    const Shape at_risk = without(common(ground.area, near), obstacle);
+    tell(plan, "given_obstacle", ground.obstacles ? without(at_risk, ground.obstacles) : at_risk,
+         "of the plan's ground lie within " + shown(kept, 2) + " m of the obstacle " + name +
+             ", and the plan does not keep off it");
   }
 }
 
@@ -80,13 +104,10 @@ void check_given(Case& plan, const GivenField& given) {
        "of the plan's ground lie outside the field given, or in a hole of it");
   std::vector<Shape> kept_off;
   for (const OwnerFeature& feature : features) {
-    if (feature.role == OwnerRole::field || feature.role == OwnerRole::gate) continue;
-    const Shape obstacle = ground_of(plan.plane, feature).area;
-    tell(plan, "given_obstacle", common(planned, obstacle),
-         "of the plan's ground lie in an obstacle of the field given");
-    const bool water = feature.role == OwnerRole::water;
-    kept_off.push_back(
-        grown(obstacle, water ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m));
+    if (feature.role == OwnerRole::field) continue;
+    const Shape obstacle = obstacle_of(plan.plane, feature);
+    check_obstacle(plan, planned, feature, obstacle);
+    kept_off.push_back(grown(obstacle, kept_m(plan.vehicle, feature)));
   }
   tell(plan, "given_left_out", left_out(plan, owned, planned, std::move(kept_off)),
        "of the field given, wide enough for the machine, are in no block");

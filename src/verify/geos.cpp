@@ -26,8 +26,7 @@ GEOSGeometry* ring_of(std::span<const Point> corners) {
 }
 
 Shape simple(std::span<const Point> corners) {
-  if (corners.size() == 1)
-    return held(GEOSGeom_createPointFromXY_r(handle(), corners[0].x_m, corners[0].y_m));
+  if (corners.size() == 1) return place_at(corners[0]);
   return corners.size() == 2 ? line_through(corners) : polygon_of(corners);
 }
 
@@ -70,6 +69,8 @@ Shape polygon_of(const Outline& outline) {
 Shape line_through(std::span<const Point> points) {
   return held(GEOSGeom_createLineString_r(handle(), sequence_of(points, false)));
 }
+
+Shape place_at(Point p) { return held(GEOSGeom_createPointFromXY_r(handle(), p.x_m, p.y_m)); }
 
 bool is_valid(const Shape& shape) { return shape && GEOSisValid_r(handle(), shape.get()) == 1; }
 
@@ -148,9 +149,7 @@ double distance_m(const Shape& a, const Shape& b) {
 
 double farthest_m(const Shape& shape, const Shape& from) {
   double most = 0;
-  const auto far = [&](Point p) {
-    most = std::max(most, distance_m(held(GEOSGeom_createPointFromXY_r(handle(), p.x_m, p.y_m)), from));
-  };
+  const auto far = [&](Point p) { most = std::max(most, distance_m(place_at(p), from)); };
   for (const Outline& outline : outlines_of(shape)) {
     for (const Point p : outline.shell) far(p);
     for (const auto& hole : outline.holes)
@@ -174,8 +173,7 @@ bool Prepared::touches(const Shape& other) const {
 }
 
 bool Prepared::holds(Point p) const {
-  const Shape place = held(GEOSGeom_createPointFromXY_r(handle(), p.x_m, p.y_m));
-  return GEOSPreparedContains_r(handle(), prepared_.get(), place.get()) == 1;
+  return GEOSPreparedContains_r(handle(), prepared_.get(), place_at(p).get()) == 1;
 }
 
 double Prepared::distance_m(std::span<const Point> corners) const {

@@ -26,6 +26,7 @@ struct Outline {
 Shape polygon_of(std::span<const Point> corners);
 Shape polygon_of(const Outline& outline);
 Shape line_through(std::span<const Point> points);
+Shape place_at(Point p);
 bool is_valid(const Shape& shape);
 /// A valid shape: rings that cross themselves are taken by even-odd.
 Shape made_valid(const Shape& shape);

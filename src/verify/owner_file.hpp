@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,16 +13,21 @@ namespace selion::verifying {
 /// What a feature is by its attribute `selion` or the name of its layer.
 enum class OwnerRole { field, obstacle, water, gate };
 
-/// A polygon feature of a file, in WGS84, as OGR gives it.
+/// A feature of a file, in WGS84, as OGR gives it.
 struct OwnerFeature {
-  std::string name;  ///< of the first attribute that reads like one; else empty
+  std::string where;  ///< file, layer and number, for messages
+  std::string name;   ///< of the first attribute that reads like one; else empty
   OwnerRole role = OwnerRole::field;
   long long number = 0;  ///< from 1 in its layer
   std::vector<LonLatArea> parts;
+  std::vector<LonLatLine> lines;  ///< of obstacles, as their points
+  std::vector<LonLat> points;
+  std::optional<double> radius_m;  ///< of the points: there where they are
+  std::optional<double> width_m;   ///< of the lines
 };
 
-/// All polygons of the file's layers (or of the one named).
-/// @throws InputError where there are none, or OGR cannot read the file.
+/// The fields and obstacles of the file and of the one with further obstacles.
+/// @throws InputError where there is no field, or a file cannot be read.
 std::vector<OwnerFeature> read_owner_file(const GivenField& given);
 
 }  // namespace selion::verifying

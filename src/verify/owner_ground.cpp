@@ -40,6 +40,18 @@ Shape enclosed(std::vector<Point> ring, Island island) {
   return united(faces);
 }
 
+/// Stretches of straight band, and round corners between them: nothing beyond its ends.
+void add_band(std::vector<Shape>& shapes, const std::vector<Point>& line, double width_m) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point along = line[i] - line[i - 1];
+    if (!(length_m(along) > 0)) continue;
+    const Point aside = (width_m / 2 / length_m(along)) * left_of(along);
+    shapes.push_back(polygon_of(
+        std::vector<Point>{line[i - 1] + aside, line[i - 1] - aside, line[i] - aside, line[i] + aside}));
+    if (i > 1) shapes.push_back(grown(place_at(line[i - 1]), width_m / 2));
+  }
+}
+
 }  // namespace
 
 OwnerGround ground_of(const Plane& plane, const OwnerFeature& feature) {
@@ -55,6 +67,16 @@ OwnerGround ground_of(const Plane& plane, const OwnerFeature& feature) {
   OwnerGround ground{united(areas), nullptr};
   ground.holes = without(united(holes), ground.area);  // a part may lie in another one's hole
   return ground;
+}
+
+Shape obstacle_of(const Plane& plane, const OwnerFeature& feature) {
+  constexpr double kLine_m = 0.02;
+  std::vector<Shape> shapes{ground_of(plane, feature).area};
+  for (const LonLatLine& line : feature.lines)
+    add_band(shapes, plane.to_local(line), feature.width_m.value_or(kLine_m));
+  for (const Point p : plane.to_local(feature.points))
+    shapes.push_back(grown(place_at(p), feature.radius_m.value_or(0)));
+  return united(shapes);
 }
 
 }  // namespace selion::verifying

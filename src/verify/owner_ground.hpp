@@ -14,5 +14,7 @@ struct OwnerGround {
 };
 
 OwnerGround ground_of(const Plane& plane, const OwnerFeature& feature);
+/// Its polygons, circles around its points, bands along its lines.
+Shape obstacle_of(const Plane& plane, const OwnerFeature& feature);
 
 }  // namespace selion::verifying

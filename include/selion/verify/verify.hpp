@@ -49,6 +49,7 @@ struct GivenField {
   std::filesystem::path file;             ///< whatever OGR reads
   std::optional<std::string> layer = {};  ///< where the file has several with polygons
   std::optional<std::string> name = {};   ///< of the feature, or its number; else the one at the plan's place
+  std::optional<std::filesystem::path> obstacles = {};  ///< a file of further ones
 };
 
 /// Checks everything that a plan file says by geometry and integration of its own: frame and field, joints,
