@@ -20,6 +20,8 @@
 namespace selion::cli {
 namespace {
 
+constexpr const char* kReading = "Reading fields";
+
 std::string title(std::string_view table) {
   constexpr auto kTitles = std::to_array<std::pair<std::string_view, std::string_view>>({
       {"", "Job"},
@@ -145,19 +147,26 @@ Job job_from(const JobOptions& options) {
   return job_of(settings);
 }
 
-std::shared_ptr<FieldOptions> add_field_options(CLI::App& app) {
+std::shared_ptr<FieldOptions> add_boundary_options(CLI::App& app) {
   auto options = std::make_shared<FieldOptions>();
   const auto add = [&app](std::optional<std::string>& into, const Words& words) {
-    add_text(app, "Reading fields", words, into);
+    add_text(app, kReading, words, into);
   };
   add(options->field, {"--field", "NAME|NUMBER", "only this field of a file"});
   add(options->layer, {"--layer", "NAME", "only this layer of a file"});
   add(options->crs, {"--crs", "EPSG:CODE", "coordinate system of a file that does not say"});
   add(options->axis, {"--axis", "lonlat|latlon", "order of the numbers in a CSV or text file [lonlat]"});
   add(options->obstacles, {"--obstacles", "FILE", "a file of obstacles"});
-  add(options->gates, {"--gates", "FILE", "a file of gates"});
-  add(options->accept_datum_error_m, {"--accept-datum-error", "NUMBER",
-                                      "take coordinates whose datum is known no better than this, in m [5]"});
+  return options;
+}
+
+std::shared_ptr<FieldOptions> add_field_options(CLI::App& app) {
+  auto options = add_boundary_options(app);
+  add_text(app, kReading, {"--gates", "FILE", "a file of gates"}, options->gates);
+  add_text(app, kReading,
+           {"--accept-datum-error", "NUMBER",
+            "take coordinates whose datum is known no better than this, in m [5]"},
+           options->accept_datum_error_m);
   return options;
 }
 

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "files.hpp"
+#include "options.hpp"
 #include "selion/core/error.hpp"
 #include "terminal.hpp"
 #include "verdict_text.hpp"
@@ -18,25 +19,28 @@ namespace {
 struct VerifyOptions {
   std::string plan;
   std::string field;
-  std::string layer;
-  std::string name;
-  std::string obstacles;
+  std::shared_ptr<FieldOptions> reading;
   bool json = false;
 };
 
 std::optional<GivenField> given_field(const VerifyOptions& options) {
+  const ReadOptions read = read_options_from(*options.reading);
   if (options.field.empty()) {
-    if (!options.layer.empty() || !options.name.empty() || !options.obstacles.empty())
-      throw InputError{"--layer, --field and --obstacles go with a field file: name it after the plan"};
+    const FieldOptions& r = *options.reading;
+    if (r.field || r.layer || r.crs || r.axis || r.obstacles)
+      throw InputError{"options for reading fields go with a field file: name it after the plan"};
     return std::nullopt;
   }
-  for (const std::string& file : {options.field, options.obstacles})
-    if (!file.empty() && !std::filesystem::exists(file)) throw InputError{file + ": there is no such file"};
-  GivenField given{.file = options.field};
-  if (!options.layer.empty()) given.layer = options.layer;
-  if (!options.name.empty()) given.name = options.name;
-  if (!options.obstacles.empty()) given.obstacles = options.obstacles;
-  return given;
+  for (const std::filesystem::path& file :
+       {std::filesystem::path{options.field}, read.obstacles.value_or("")})
+    if (!file.empty() && !std::filesystem::exists(file))
+      throw InputError{file.string() + ": there is no such file"};
+  return GivenField{.file = options.field,
+                    .layer = read.layer,
+                    .name = read.field,
+                    .crs = read.crs,
+                    .order = read.axis == AxisOrder::latlon ? TextOrder::latlon : TextOrder::lonlat,
+                    .obstacles = read.obstacles};
 }
 
 int run_verify(const VerifyOptions& options) {
@@ -58,14 +62,8 @@ Run setup_verify(CLI::App& app) {
   const std::string group = "Plan and result";
   app.add_option("PLAN", options->plan, "a plan.geojson")->group(group);
   app.add_option("FIELD", options->field, "the field that it was made for, to compare with")->group(group);
-  app.add_option("--layer", options->layer, "of the field file")->type_name("NAME")->group(group);
-  app.add_option("--field", options->name, "in the field file; else the one where the plan lies")
-      ->type_name("NAME|NUMBER")
-      ->group(group);
-  app.add_option("--obstacles", options->obstacles, "a file of further obstacles, as for plan")
-      ->type_name("FILE")
-      ->group(group);
   app.add_flag("--json", options->json, "as JSON, for other programs")->group(group);
+  options->reading = add_boundary_options(app);
   return [options] { return run_verify(*options); };
 }
 

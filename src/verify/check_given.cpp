@@ -23,15 +23,17 @@ bool is_named(const OwnerFeature& feature, const GivenField& given) {
   return !given.name || feature.name == *given.name || std::to_string(feature.number) == *given.name;
 }
 
-/// The field that the plan lies on.
+/// The field whose ground is most nearly the plan's: extents and fields that overlap lie there too.
 const OwnerFeature* field_of(const std::vector<OwnerFeature>& features, const Case& plan,
                              const Shape& planned, const GivenField& given) {
   const OwnerFeature* best = nullptr;
   double most = 0;
   for (const OwnerFeature& feature : features) {
     if (feature.role != OwnerRole::field || !is_named(feature, given)) continue;
-    const double both = area_m2(common(ground_of(plan.plane, feature).area, planned));
-    if (both > most || (best == nullptr && given.name)) best = &feature, most = both;
+    const Shape ground = ground_of(plan.plane, feature).area;
+    const double both = area_m2(common(ground, planned));
+    const double share = both / (area_m2(ground) + area_m2(planned) - both);
+    if (share > most || (best == nullptr && given.name)) best = &feature, most = share;
   }
   return best;
 }

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <memory>
 #include <string_view>
 #include <utility>
 
+#include <cpl_error.h>
 #include <ogr_api.h>
 
+#include "letters.hpp"
 #include "ogr.hpp"
 #include "selion/core/error.hpp"
 
@@ -19,12 +20,6 @@ namespace selion::verifying {
 namespace {
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// Those that have a value.
 Attributes attributes_of(OGRFeatureH feature) {
@@ -94,6 +89,8 @@ LonLatArea area_of(OGRGeometryH polygon, const ToWgs84& to_wgs84) {
   return area;
 }
 
+bool is_obstacle(OwnerRole role) { return role == OwnerRole::obstacle || role == OwnerRole::water; }
+
 void add_geometry(OwnerFeature& feature, OGRGeometryH geometry, const ToWgs84& to_wgs84) {
   if (geometry == nullptr || SELION_OGR(OGR_G_IsEmpty)(geometry) != 0) return;
   switch (SELION_OGR(OGR_GT_Flatten)(SELION_OGR(OGR_G_GetGeometryType)(geometry))) {
@@ -103,18 +100,16 @@ void add_geometry(OwnerFeature& feature, OGRGeometryH geometry, const ToWgs84& t
         feature.parts.push_back(std::move(area));
       break;
     case wkbLineString:
-      feature.lines.push_back(line_of(geometry, to_wgs84));
+      if (is_obstacle(feature.role)) feature.lines.push_back(line_of(geometry, to_wgs84));
       break;
     case wkbPoint:
-      feature.points.push_back(line_of(geometry, to_wgs84).front());
+      if (is_obstacle(feature.role)) feature.points.push_back(line_of(geometry, to_wgs84).front());
       break;
     default:
       for (int i = 0; i < SELION_OGR(OGR_G_GetGeometryCount)(geometry); ++i)
         add_geometry(feature, SELION_OGR(OGR_G_GetGeometryRef)(geometry, i), to_wgs84);
   }
 }
-
-bool is_obstacle(OwnerRole role) { return role == OwnerRole::obstacle || role == OwnerRole::water; }
 
 OwnerFeature feature_of(OGRFeatureH raw, const std::string& where, const OwnerLayer& layer,
                         const ToWgs84& to_wgs84) {
@@ -150,19 +145,23 @@ std::optional<OwnerRole> role_named(const std::string& word) {
   return std::nullopt;
 }
 
-void add_features(std::vector<OwnerFeature>& features, const OwnerLayer& from, const ToWgs84& to_wgs84) {
+void add_features(std::vector<OwnerFeature>& features, const OwnerLayer& from) {
+  const ToWgs84 to_wgs84 = to_wgs84_of(from.crs);
   const auto next = SELION_OGR(OGR_L_GetNextFeature);
   const auto destroy = SELION_OGR(OGR_F_Destroy);
-  SELION_OGR(OGR_L_ResetReading)(from.opened);
+  SELION_OGR(OGR_L_ResetReading)(from.handle);
+  SELION_OGR(CPLErrorReset)();
   for (long long number = 1;; ++number) {
-    const std::unique_ptr<void, void (*)(void*)> raw{next(from.opened), destroy};
-    if (!raw) return;
+    const std::unique_ptr<void, void (*)(void*)> raw{next(from.handle), destroy};
+    if (!raw) break;
     OwnerFeature feature =
-        feature_of(raw.get(), from.where + ", feature " + std::to_string(number), from, to_wgs84);
+        feature_of(raw.get(), from.crs.where + ", feature " + std::to_string(number), from, to_wgs84);
     feature.number = number;
     if (is_obstacle(feature.role) || (feature.role == OwnerRole::field && !feature.parts.empty()))
       features.push_back(std::move(feature));
   }
+  if (SELION_OGR(CPLGetLastErrorType)() >= CE_Failure)
+    throw InputError{from.crs.where + " cannot be read to its end: " + SELION_OGR(CPLGetLastErrorMsg)()};
 }
 
 }  // namespace selion::verifying

@@ -15,15 +15,15 @@ std::optional<OwnerRole> role_named(const std::string& word);
 
 /// A layer of OGR, opened.
 struct OwnerLayer {
-  void* opened = nullptr;
+  void* handle = nullptr;
   std::string name;
-  std::string where;                    ///< for messages
+  OwnerCrs crs;
   OwnerRole role = OwnerRole::field;    ///< of features that do not say
   OwnerRole fields = OwnerRole::field;  ///< what fields are taken for
 };
 
 /// Adds the fields and obstacles of the layer.
 /// @throws InputError naming the feature whose properties say nothing that is known.
-void add_features(std::vector<OwnerFeature>& features, const OwnerLayer& from, const ToWgs84& to_wgs84);
+void add_features(std::vector<OwnerFeature>& features, const OwnerLayer& from);
 
 }  // namespace selion::verifying

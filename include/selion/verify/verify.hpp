@@ -44,11 +44,16 @@ struct Verdict {
   friend bool operator==(const Verdict&, const Verdict&) = default;
 };
 
+/// Which number of a position stands first in a text of coordinates.
+enum class TextOrder { lonlat, latlon };
+
 /// The field that a plan was made for, as its owner has it.
 struct GivenField {
-  std::filesystem::path file;             ///< whatever OGR reads
+  std::filesystem::path file;             ///< whatever OGR reads, or coordinates as text
   std::optional<std::string> layer = {};  ///< where the file has several with polygons
   std::optional<std::string> name = {};   ///< of the feature, or its number; else the one at the plan's place
+  std::optional<std::string> crs = {};    ///< of files that do not say
+  TextOrder order = TextOrder::lonlat;    ///< of text without a header that says
   std::optional<std::filesystem::path> obstacles = {};  ///< a file of further ones
 };
 
