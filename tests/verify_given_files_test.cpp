@@ -8,6 +8,7 @@
 #include "field/gdal_library.hpp"
 #include "field_samples.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/format.hpp"
 #include "verify_samples.hpp"
 
 using namespace selion;
@@ -140,4 +141,43 @@ TEST_CASE("of fields that overlap the one is taken that is most nearly the plan'
   const TemporaryFile file{"farm.geojson",
                            collection_of({feature_of({extent}, "{}"), feature_of({own}, "{}")})};
   CHECK(text_of(written(field_of_metres({own}), ""), GivenField{.file = file.path()}) == "");
+}
+
+TEST_CASE("a field is found by its number and by each name that a plan gives it", "[verify][files]") {
+  const Polygon near{{{0, 0}, {80, 0}, {80, 60}, {0, 60}}, {}};
+  const Polygon far{{{200, 0}, {280, 0}, {280, 60}, {200, 60}}, {}};
+  const PlanFile plan = written(field_of_metres({near}), "");
+  const auto text = [&](const std::string& properties, const std::string& name) {
+    const TemporaryFile file{"farm.geojson",
+                             collection_of({feature_of({far}, properties), feature_of({near}, properties)})};
+    return text_of(plan, GivenField{.file = file.path(), .name = name});
+  };
+  for (const char* name : {"2", "home", "home (2)"}) CHECK(text(R"({"name":"home"})", name) == "");
+  CHECK(text("{}", "farm 2") == "");
+  CHECK_THAT(text("{}", "farm 1"), Catch::StartsWith("given_outside"));
+  for (const char* name : {"hom", "home (old)", "home ("})
+    CHECK_THAT(text(R"({"name":"home"})", name), Catch::StartsWith("given_field"));
+}
+
+TEST_CASE("layers called so hold obstacles, beside the one that is asked for too", "[verify][files]") {
+  const auto folder = [](const std::string& name, double from_m, double to_m) {
+    const Ring corners{{from_m, from_m}, {to_m, from_m}, {to_m, to_m}, {from_m, to_m}, {from_m, from_m}};
+    std::string text;
+    for (const LonLat p : polygon_of_metres({corners, {}}).shell)
+      text += fixed(p.lon_deg, 9) + "," + fixed(p.lat_deg, 9) + " ";
+    return "<Folder><name>" + name + "</name><Placemark><Polygon><outerBoundaryIs><LinearRing><coordinates>" +
+           text + "</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark></Folder>";
+  };
+  const TemporaryFile file{"farm.kml", "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>" +
+                                           folder("fields", 0, 80) + folder("Water", 30, 40) +
+                                           "</Document></kml>"};
+  const PlanFile with_pond = written(read_file(file.path()).at(0), "");
+  const PlanFile without = written(field_of_metres({{{{0, 0}, {80, 0}, {80, 80}, {0, 80}}, {}}}), "");
+  for (const auto& layer : {std::optional<std::string>{}, std::optional<std::string>{"fields"}}) {
+    const GivenField given{.file = file.path(), .layer = layer};
+    CHECK(text_of(with_pond, given) == "");
+    CHECK_THAT(text_of(without, given), Catch::StartsWith("given_obstacle: 100.00 m2"));
+  }
+  CHECK_THROWS_WITH(text_of(without, GivenField{.file = file.path(), .layer = "barns"}),
+                    Catch::Contains("barns"));
 }

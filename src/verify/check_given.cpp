@@ -10,6 +10,7 @@ namespace selion::verifying {
 namespace {
 
 constexpr double kBorder_m = 0.02;
+constexpr double kReach_m = 50;  // farther obstacles are of other fields
 // A repair moves a border by a centimetre at most; the planner's grid and the file's decimals add to it.
 constexpr double kRepaired_m = 0.012;
 
@@ -19,8 +20,15 @@ Shape planned_ground(const Case& plan) {
   return united(all);
 }
 
+/// By its number, or as `selion plan` calls it: those without a name by their file, namesakes "home (2)".
 bool is_named(const OwnerFeature& feature, const GivenField& given) {
-  return !given.name || feature.name == *given.name || std::to_string(feature.number) == *given.name;
+  if (!given.name || *given.name == std::to_string(feature.number)) return true;
+  const std::string stem = given.file.stem().string();
+  const std::string own = feature.name.empty() ? stem : feature.name;
+  if (*given.name == own) return true;
+  if (feature.name.empty() && *given.name == stem + " " + std::to_string(feature.number)) return true;
+  const bool longer = given.name->starts_with(own + " (") && given.name->ends_with(")");
+  return longer && given.name->find_first_not_of("0123456789", own.size() + 2) == given.name->size() - 1;
 }
 
 /// The field whose ground is most nearly the plan's: extents and fields that overlap lie there too.
@@ -108,6 +116,7 @@ void check_given(Case& plan, const GivenField& given) {
   for (const OwnerFeature& feature : features) {
     if (feature.role == OwnerRole::field) continue;
     const Shape obstacle = obstacle_of(plan.plane, feature);
+    if (!(distance_m(obstacle, planned) < kReach_m)) continue;
     check_obstacle(plan, planned, feature, obstacle);
     kept_off.push_back(grown(obstacle, kept_m(plan.vehicle, feature)));
   }
