@@ -77,6 +77,12 @@ TEST_CASE("every plan of ours passes the independent check", "[verify]") {
   CHECK(verdict.covered_m2 > 0.5 * verdict.area_m2);
 }
 
+TEST_CASE("speeds' rounding adds up on the long straights of a slow machine without a fault", "[verify]") {
+  const Field field = field_of_metres({{{{0, 0}, {130, 0}, {130, 12}, {0, 12}}, {}}});
+  const PlanFile plan = written(field, "[machine]\npreset = \"husky\"\nwork_speed_mps = 0.100049\n");
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
 TEST_CASE("of a thousand broken plans at least 99 % are rejected with the right code", "[mutants]") {
   Score all;
   std::map<std::string, Score> by_name;

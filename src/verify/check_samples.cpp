@@ -45,8 +45,10 @@ class SampleCheck {
   /// Where speeds lead from the sample before, corrected by where the sample lies.
   void place(std::size_t i) {
     double way = 0;
+    double reach = kNear_m;
     if (i > 0) {
       const double span = record_.t_s[i] - record_.t_s[i - 1];
+      reach += kSpeed_mps / 2 * span;  // what a speed's rounding adds up to
       way = driven_.moments.back().way_m + (speed(i - 1) + speed(i)) / 2 * span;
     }
     const double led = std::clamp(way, 0.0, driven_.whole_m());
@@ -54,7 +56,7 @@ class SampleCheck {
     Spot here = driven_.spot(way);
     for (int k = 0; k < 3; ++k) {
       const double before = way;
-      way = std::clamp(way + dot(at_[i] - here.at, unit(here.heading_rad)), led - kNear_m, led + kNear_m);
+      way = std::clamp(way + dot(at_[i] - here.at, unit(here.heading_rad)), led - reach, led + reach);
       way = std::clamp(way, 0.0, driven_.whole_m());
       if (std::abs(way - before) < kSettled_m) break;
       here = driven_.spot(way);
