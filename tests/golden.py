@@ -8,6 +8,7 @@ A golden file is a list of runs in one scratch folder. A line is a word, a colon
 fields, \\n and \\xNN stand for bytes. A run starts with `run` and holds for what follows it:
 
     given: NAME TEXT        before the next run: a file of that text in the scratch folder
+    pipe: NAME              before the next run: a named pipe there that nobody writes to
     run: ARGUMENTS          as a shell splits them
     with: stdin FILE | stdin open | limit BYTES | interrupt SECONDS | env NAME=VALUE
     status: N
@@ -48,6 +49,8 @@ def parse(path, data):
         value = value.replace("{data}", shlex.quote(str(data)) if word == "run" else str(data))
         if word == "given":
             given.append(value.split(" ", 1))
+        elif word == "pipe":
+            given.append((value, None))
         elif word == "run":
             runs.append(Run(f"{path.name}:{number}", shlex.split(value)))
             runs[-1].given, given = given, []
@@ -69,7 +72,10 @@ def set_condition(run, word, value):
 
 def execute(run, selion, scratch):
     for name, text in run.given:
-        (scratch / name).write_bytes(unescaped(text))
+        if text is None:
+            os.mkfifo(scratch / name)
+        else:
+            (scratch / name).write_bytes(unescaped(text))
 
     def prepare():
         signal.signal(signal.SIGINT, signal.SIG_DFL)

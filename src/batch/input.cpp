@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "selion/core/error.hpp"
+#include "selion/core/input_file.hpp"
 #include "selion/core/version.hpp"
 #include "selion/plan/job_file.hpp"
 
@@ -62,6 +63,7 @@ class Hash {
     mix(rest);
   }
   void add_file(const fs::path& path) {
+    refuse_endless(path);
     std::ifstream file{path, std::ios::binary};
     std::string block(1U << 20U, '\0');
     while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0)

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "selion/core/error.hpp"
+#include "selion/core/input_file.hpp"
 
 namespace selion::cli {
 
@@ -14,6 +15,7 @@ std::string text_of_file(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     throw InputError{file.string() + ": is a folder, not a file"};
+  refuse_endless(file);
   errno = 0;
   std::ifstream stream{file, std::ios::binary};
   std::string text{std::istreambuf_iterator<char>{stream}, {}};

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 
 #include <CLI/CLI.hpp>
 
@@ -10,6 +11,7 @@
 #include "files.hpp"
 #include "options.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/input_file.hpp"
 #include "terminal.hpp"
 #include "verdict_text.hpp"
 
@@ -32,9 +34,11 @@ std::optional<GivenField> given_field(const VerifyOptions& options) {
     return std::nullopt;
   }
   for (const std::filesystem::path& file :
-       {std::filesystem::path{options.field}, read.obstacles.value_or("")})
-    if (!file.empty() && !std::filesystem::exists(file))
-      throw InputError{file.string() + ": there is no such file"};
+       {std::filesystem::path{options.field}, read.obstacles.value_or("")}) {
+    if (file.empty()) continue;
+    if (!std::filesystem::exists(file)) throw InputError{file.string() + ": there is no such file"};
+    refuse_endless(file);
+  }
   return GivenField{.file = options.field,
                     .layer = read.layer,
                     .name = read.field,
@@ -47,11 +51,15 @@ int run_verify(const VerifyOptions& options) {
   constexpr int kCheckFailed = 4;
   if (options.plan.empty()) throw InputError{"no plan given; name a plan.geojson"};
   const std::optional<GivenField> given = given_field(options);
-  const PlanFile plan = plan_from_geojson(text_of_file(options.plan), options.plan);
+  const bool piped = options.plan == "-";
+  const std::string where = piped ? "standard input" : options.plan;
+  const std::string text =
+      piped ? std::string{std::istreambuf_iterator<char>{std::cin}, {}} : text_of_file(options.plan);
+  if (text.empty()) throw InputError{where + " is empty; give a plan.geojson"};
+  const PlanFile plan = plan_from_geojson(text, where);
   const Verdict verdict = verify(plan, given);
   const WatchList watch = watch_list(plan);
-  std::cout << (options.json ? json_of(verdict, worked_twice(plan), watch)
-                             : text_of(verdict, watch, options.plan));
+  std::cout << (options.json ? json_of(verdict, worked_twice(plan), watch) : text_of(verdict, watch, where));
   return verdict.findings.empty() ? 0 : kCheckFailed;
 }
 
@@ -60,7 +68,7 @@ int run_verify(const VerifyOptions& options) {
 Run setup_verify(CLI::App& app) {
   auto options = std::make_shared<VerifyOptions>();
   const std::string group = "Plan and result";
-  app.add_option("PLAN", options->plan, "a plan.geojson")->group(group);
+  app.add_option("PLAN", options->plan, "a plan.geojson, or - for one on standard input")->group(group);
   app.add_option("FIELD", options->field, "the field that it was made for, to compare with")->group(group);
   app.add_flag("--json", options->json, "as JSON, for other programs")->group(group);
   options->reading = add_boundary_options(app);

@@ -4,6 +4,7 @@
 #include "file_bytes.hpp"
 #include "raw.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/input_file.hpp"
 #include "text.hpp"
 
 namespace selion {
@@ -15,11 +16,12 @@ RawFile read_stream(std::istream& standard_input) {
   return read_json(text, "standard input", "field");
 }
 
-/// @throws InputError where there is no such file, or nothing in it.
+/// @throws InputError where there is no such file, nothing in it, or no end to it.
 void check_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw InputError{path.string() + " does not exist; check the name"};
+  refuse_endless(path);
   if (!std::filesystem::is_directory(path, error) && std::filesystem::file_size(path, error) == 0 && !error)
     throw InputError{path.string() + " is empty; export it anew"};
 }
