@@ -123,6 +123,26 @@ TEST_CASE("a piece that turns round and round is refused before it is followed",
   CHECK(std::ranges::count(verdict.findings, "piece", &Finding::code) == 1);
 }
 
+TEST_CASE("a piece or way longer than its block takes is refused before it is followed", "[verify]") {
+  PlanFile plan = written(small_field(), "[machine]\npreset = \"robot-3m\"\n");
+  std::vector<PieceRecord>& pieces = plan.trajectories.at(0).pieces;
+  PieceRecord round = pieces.at(0);
+  SECTION("a piece") { pieces.at(0).length_m = 9e5; }
+  SECTION("a piece far away") { pieces.at(0).x_m += 900; }
+  SECTION("rounds with the tool up") {
+    round.kind = "turn", round.ref.clear(), round.tool = 0;
+    round.curvature_per_m = 0.5, round.length_m = 12.5;
+    pieces.insert(pieces.end(), 50'000, round);
+  }
+  SECTION("rounds with the tool down") {
+    round.curvature_per_m = 0.5, round.length_m = 12.5;
+    pieces.insert(pieces.end(), 200, round);
+  }
+  const Verdict verdict = verify(plan, std::nullopt);
+  REQUIRE(verdict.findings.size() == 1);
+  CHECK(verdict.findings.front().code == "piece");
+}
+
 TEST_CASE("a tool that gets out is found where the body stays inside", "[verify]") {
   const auto rectangle = [](double in_m) {
     return Polygon{{{in_m, in_m}, {60 - in_m, in_m}, {60 - in_m, 40 - in_m}, {in_m, 40 - in_m}}, {}};

@@ -22,6 +22,7 @@ struct Ground {
   int block = 1;
   Shape area;              ///< as the plan file has it
   Shape obstacles;         ///< of the plan file, none: empty
+  Shape free;              ///< the area less the obstacles
   Prepared room;           ///< the area and kInside_m around it, less the obstacles
   Border border;           ///< of `room`
   Border overhang_border;  ///< of the room for a raised tool
@@ -44,6 +45,9 @@ std::string piece_name(const Driven& driven, std::size_t piece);
 
 /// Of the plan's field: rings that cross, areas. Fills `grounds`.
 void check_grounds(Case& plan);
+/// False where a trajectory has numbers that no machine drives in its block, so that following it would take
+/// long and tell nothing.
+bool check_reach(Case& plan);
 /// Against the field as its owner has it. @throws InputError where it cannot be read.
 void check_given(Case& plan, const GivenField& given);
 /// Pieces end to end: place, heading, curvature; what each may be.

@@ -52,8 +52,8 @@ void add_ground(Case& plan, int block, const LonLatArea& part) {
                    grown(holes_of(area), -kInside_m));
     if (hard) high = without(high, hard);
   }
-  plan.grounds.push_back(
-      {block, area, obstacles, Prepared{room}, Border{border_of(room)}, Border{border_of(high)}});
+  plan.grounds.push_back({block, area, obstacles, obstacles ? without(area, obstacles) : area, Prepared{room},
+                          Border{border_of(room)}, Border{border_of(high)}});
 }
 
 }  // namespace

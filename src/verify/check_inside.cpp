@@ -79,6 +79,9 @@ class InsideCheck {
   };
 
   void check_shape(std::size_t i, double span, const Member& member) {
+    const int block = driven_.record->block;
+    const bool told = !ground_.obstacles || plan_.findings.full(member.in_obstacle, block);
+    if (told && plan_.findings.full(member.outside, block)) return;
     const auto where = first_touch(driven_.pieces[i], 0, span, member.shape, *member.border);
     if (where) tell(i, span, *where, member);
   }
@@ -123,8 +126,7 @@ class InsideCheck {
       Outline4 some = member.shape;
       if (some.rear_m == some.front_m) some.front_m += 1e-6;  // a line has no area
       const Shape there = polygon_of(placed_corners(pose(driven_.pieces[i], along), some));
-      const Shape free = ground_.obstacles ? without(ground_.area, ground_.obstacles) : ground_.area;
-      const double off = farthest_m(without(there, free), free);
+      const double off = farthest_m(without(there, ground_.free), ground_.free);
       if (off > out) out = off, worst = along;
       if (ground_.obstacles) in_obstacle = std::max(in_obstacle, area_m2(common(there, ground_.obstacles)));
     }

@@ -65,7 +65,7 @@ class SampleCheck {
     if (!(off <= kPlace_m)) {
       say("sample_place", i, {off, 1e-3},
           "lies " + shown(off, 4) + " m off where its pieces and speeds lead");
-      way = nearest(i, led);
+      if (!plan_.findings.full("sample_place", record_.block)) way = nearest(i, led);
     }
     driven_.moments.push_back({record_.t_s[i], speed(i), snapped(way)});
   }

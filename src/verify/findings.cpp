@@ -7,6 +7,11 @@
 #include "selion/core/format.hpp"
 
 namespace selion::verifying {
+namespace {
+
+constexpr int kMost = 5;
+
+}  // namespace
 
 std::string shown(double value, int decimals) {
   if (std::isnan(value)) return "no number of";
@@ -15,12 +20,16 @@ std::string shown(double value, int decimals) {
 
 void Findings::add(std::string code, int block, std::optional<Point> at, Measured measured,
                    std::string what) {
-  constexpr int kMost = 5;
   if (++counts_[{code, block}] > kMost) return;
   Finding finding{std::move(code), std::move(what), block, std::nullopt, measured.measure, measured.limit};
   if (at && std::isfinite(at->x_m) && std::isfinite(at->y_m) && plane_.valid())
     finding.at = plane_.to_lonlat(*at);
   findings_.push_back(std::move(finding));
+}
+
+bool Findings::full(const std::string& code, int block) const {
+  const auto found = counts_.find({code, block});
+  return found != counts_.end() && found->second >= kMost;
 }
 
 bool Findings::any(const std::string& code) const {

@@ -27,6 +27,8 @@ class Findings {
   explicit Findings(const Plane& plane) : plane_{plane} {}
 
   void add(std::string code, int block, std::optional<Point> at, Measured measured, std::string what);
+  /// True where no more of that code and block are kept: looking for them takes time for nothing.
+  [[nodiscard]] bool full(const std::string& code, int block) const;
   [[nodiscard]] bool any(const std::string& code) const;
   [[nodiscard]] std::vector<Finding> all() && { return std::move(findings_); }
 

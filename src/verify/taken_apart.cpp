@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFar_m = 1e6;  // no field reaches as far from its frame's origin
 constexpr double kMostBend_per_m = 1e3;
-constexpr double kMostTurned_rad = 100;  // in one piece; the check takes as many steps as that takes
+constexpr double kMostTurned_rad = 20;  // in one piece: three rounds
 
 bool plausible(const PieceRecord& p) {
   const double end = p.curvature_per_m + p.sharpness_per_m2 * p.length_m;
@@ -62,6 +62,8 @@ TakenApart::TakenApart(const PlanFile& file)
   check_trajectories();
   if (!usable_) return;
   check_grounds(case_);
+  usable_ = check_reach(case_);
+  if (!usable_) return;
   for (const TrajectoryRecord& record : file.trajectories) case_.drives.push_back(driven_of(record));
 }
 
