@@ -34,5 +34,6 @@ struct Mutation {
 std::span<const Mutation> mutations_of_pieces();
 std::span<const Mutation> mutations_of_samples();
 std::span<const Mutation> mutations_of_records();
+std::span<const Mutation> mutations_of_layout();
 
 }  // namespace selion

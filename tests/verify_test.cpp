@@ -21,6 +21,12 @@ Field holed_field() {
   return field_of_metres(
       {{{{0, 0}, {70, 0}, {70, 50}, {0, 50}}, {{{30, 20}, {30, 28}, {38, 28}, {38, 20}}}}});
 }
+Field gated_field() {
+  Field field = holed_field();
+  const LonLatLine& shell = field.parts.at(0).shell;
+  field.gates.push_back({"south", shell.at(1), 4.0});
+  return field;
+}
 Field two_blocks() {
   return field_of_metres(
       {{{{0, 0}, {40, 0}, {40, 30}, {0, 30}}, {}}, {{{50, 0}, {90, 0}, {90, 35}, {50, 35}}, {}}});
@@ -30,7 +36,7 @@ Field two_blocks() {
 std::vector<PlanFile> originals() {
   const std::string robot = "[machine]\npreset = \"robot-3m\"\n";
   return {written(small_field(), robot),
-          written(holed_field(), robot + "run_in_m = 2\ntool_lower_s = 2\ntool_raise_s = 1\n"),
+          written(gated_field(), robot + "run_in_m = 2\ntool_lower_s = 2\ntool_raise_s = 1\n"),
           written(two_blocks(), robot),
           written(small_field(), "[machine]\npreset = \"p3\"\nmay_reverse = false\n"),
           written(holed_field(), "[machine]\npreset = \"husky\"\nmay_pivot = true\n"),
@@ -88,7 +94,8 @@ TEST_CASE("of a thousand broken plans at least 99 % are rejected with the right 
   std::map<std::string, Score> by_name;
   const std::vector<PlanFile> plans = originals();
   for (const PlanFile& original : plans) CHECK(text_of(verify(original, std::nullopt)) == "");
-  for (const auto family : {mutations_of_pieces(), mutations_of_samples(), mutations_of_records()})
+  for (const auto family :
+       {mutations_of_pieces(), mutations_of_samples(), mutations_of_records(), mutations_of_layout()})
     for (const Mutation& mutation : family)
       for (std::size_t i = 0; i < plans.size(); ++i)
         for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -153,6 +160,37 @@ TEST_CASE("a tool that gets out is found where the body stays inside", "[verify]
     return std::ranges::count(verdict.findings, code, &Finding::code);
   };
   CHECK(count("tool_outside") > 0);
+}
+
+TEST_CASE("strips left of an AB line are counted and lie where width, overlap and shift say", "[verify]") {
+  const PlanFile plan = written(
+      small_field(), "[layout]\nab = [10.0003, 50.0, 10.0003, 50.001]\nab_shift_m = 0.7\noverlap_m = 0.2\n");
+  REQUIRE(std::ranges::any_of(plan.swaths, [](const SwathRecord& s) { return s.id.starts_with('L'); }));
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
+TEST_CASE("a robot that pivots into another one is found", "[verify]") {
+  PlanFile plan = written(small_field(), "[machine]\npreset = \"husky\"\nsafety_gap_m = 0.1\n");
+  const double north_m = GENERATE(0.95, 1.2);  // at 0.95 m its corner comes within 2 cm
+  const LonLat at = plan.origin;
+  const auto standing = [&](int robot, double y_m, const std::vector<double>& headings) {
+    TrajectoryRecord t;
+    t.robot = robot;
+    t.pieces = {PieceRecord{.kind = "wait", .y_m = y_m, .duration_s = 30}};
+    t.duration_s = 30;
+    t.heading_rad = headings;
+    for (std::size_t i = 0; i < headings.size(); ++i)
+      t.t_s.push_back(30.0 * static_cast<double>(i) / static_cast<double>(headings.size() - 1));
+    t.line.assign(headings.size(), {at.lon_deg, at.lat_deg + y_m / 111'229});
+    t.curvature_per_m = t.speed_mps = std::vector<double>(headings.size());
+    t.tool = std::vector<int>(headings.size());
+    return t;
+  };
+  plan.trajectories = {standing(1, 0, {0, 1.57, 3.14}), standing(2, north_m, {0, 0})};
+  plan.trajectories.front().pieces.front().kind = "pivot";
+  plan.trajectories.front().pieces.front().angle_rad = 3.14;
+  const Verdict verdict = verify(plan, std::nullopt);
+  CHECK(std::ranges::count(verdict.findings, "robots_too_close", &Finding::code) == (north_m < 1 ? 1 : 0));
 }
 
 TEST_CASE("an obstacle on the way is found whatever block it is said to be of", "[verify]") {

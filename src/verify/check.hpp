@@ -20,12 +20,12 @@ constexpr double kInside_m = 0.01;  // "inside" allows as much (docs/architectur
 /// One block: where body and tool may be.
 struct Ground {
   int block = 1;
-  Shape area;              ///< as the plan file has it
-  Shape obstacles;         ///< of the plan file, none: empty
-  Shape free;              ///< the area less the obstacles
-  Prepared room;           ///< the area and kInside_m around it, less the obstacles
-  Border border;           ///< of `room`
-  Border overhang_border;  ///< of the room for a raised tool
+  Shape area;       ///< as the plan file has it
+  Shape obstacles;  ///< of the plan file, with what is kept from them; none: empty
+  Shape kept;       ///< these, and holes with what is kept from those
+  Shape free;       ///< the area less these
+  Prepared room;    ///< as much, and kInside_m around it
+  Border border;    ///< of `room`
 };
 
 /// A plan taken apart, and what is found in it.
@@ -58,16 +58,30 @@ void check_bends(Case& plan, const Driven& driven);
 void check_samples(Case& plan, Driven& driven);
 /// Speeds, acceleration, lateral acceleration and steering between the moments.
 void check_speeds(Case& plan, const Driven& driven);
+/// The time that lowering and raising the tool takes, and where it is lowered.
+void check_tool(Case& plan, const Driven& driven);
 /// Body and tool in the block and clear of obstacles, everywhere.
 void check_inside(Case& plan, const Driven& driven);
+/// What is worked straight on keeps the edge margin; round corners of headland passes it may be used.
+void check_margin(Case& plan, const Driven& driven);
 /// Each swath and pass once, where its line lies, in its order.
 void check_lines(Case& plan);
+/// Blocks of all records, and gates.
+void check_records(Case& plan);
+/// AB lines and cells, and how swaths lie to them and to each other.
+void check_ab(Case& plan);
+/// Number of the strip that a swath is a piece of: "12a" is of 12, "L1" of 0. Of a pocket none.
+std::optional<int> strip_of(const std::string& id);
+/// Headlands: their depth, their share of the block, their passes.
+void check_headlands(Case& plan);
 /// The ground covered. Fills the verdict's areas and places.
 void check_coverage(Case& plan, Verdict& verdict);
 /// Ground under two or more steps of the tool, as places.
 std::vector<VerifiedPlace> places_worked_twice(const Case& plan);
 /// Every figure of the summary.
 void check_summary(Case& plan, const Verdict& verdict);
+/// Waits for other robots: that these come by, and before the wait ends.
+void check_waits(Case& plan);
 /// Robots against each other, at any time.
 void check_robots(Case& plan);
 

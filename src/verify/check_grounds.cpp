@@ -12,48 +12,67 @@ Outline local_outline(const Plane& plane, const LonLatArea& area) {
   return outline;
 }
 
-/// With what is kept from them, but for `less_m`. Those that the file calls another block's stand where they
-/// stand: their ground alone.
-Shape obstacles_of(const Case& plan, int block, double less_m) {
+/// What stands in the field, whatever block the file calls it of.
+struct Standing {
+  Shape obstacles;  ///< with what is kept from them
+  Shape kept;       ///< these, and holes with what is kept from those
+  Shape hard;       ///< the same less kInside_m
+};
+
+Shape obstacles_of(const Case& plan, double share, double less_m) {
   std::vector<Shape> shapes;
   for (const ObstacleRecord& obstacle : plan.plan.obstacles) {
-    const double margin =
-        obstacle.what == "water" ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m;
-    const double kept = obstacle.block == block ? margin : 0;
-    shapes.push_back(grown(made_valid(polygon_of(local_outline(plan.plane, obstacle.area))), kept - less_m));
+    const bool water = obstacle.what == "water";
+    const double kept = water ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m;
+    shapes.push_back(
+        grown(made_valid(polygon_of(local_outline(plan.plane, obstacle.area))), share * kept - less_m));
   }
   return shapes.empty() ? Shape{} : united(shapes);
 }
 
-/// Of the shell only: what a raised tool may pass over.
-Shape without_holes(const Shape& area) {
-  std::vector<Shape> shells;
-  for (const Outline& outline : outlines_of(area)) shells.push_back(polygon_of(outline.shell));
-  return united(shells);
+/// Holes of all blocks together in which neither a block lies nor an obstacle: those keep their own distance.
+Shape holes_of(const Case& plan, const std::vector<Shape>& areas) {
+  constexpr double kCrack_m = 0.004;  // between blocks, or left by the file's decimals
+  const Shape closed = grown(united(areas), kCrack_m);
+  Shape holes = without(filled(closed), closed);
+  if (const Shape obstacles = obstacles_of(plan, 0, 0)) holes = without(holes, obstacles);
+  return grown(grown(holes, -kCrack_m), 2 * kCrack_m);
 }
 
-Shape holes_of(const Shape& area) { return without(without_holes(area), area); }
+Standing standing_in(const Case& plan, const std::vector<Shape>& areas) {
+  const Shape holes = holes_of(plan, areas);
+  const double clearance = plan.vehicle.obstacle_clearance_m;
+  const auto with_holes = [&](const Shape& obstacles, double less_m) {
+    std::vector<Shape> all{grown(holes, clearance - less_m)};
+    if (obstacles) all.push_back(obstacles);
+    return united(all);
+  };
+  const Shape obstacles = obstacles_of(plan, 1, 0);
+  return {obstacles, with_holes(obstacles, 0), with_holes(obstacles_of(plan, 1, kInside_m), kInside_m)};
+}
 
-void add_ground(Case& plan, int block, const LonLatArea& part) {
+Shape area_of(Case& plan, int block, const LonLatArea& part) {
   const Shape given = polygon_of(local_outline(plan.plane, part));
-  const Shape area = made_valid(given);
+  Shape area = made_valid(given);
   // Rounded to the file's decimals, a border that all but touches itself may touch.
   constexpr double kRounded_m2 = 0.01;
   if (!(area_m2(area) > 0) || std::abs(area_m2(area) - area_m2(given)) > kRounded_m2)
     plan.findings.add("field_shape", block, place_in(area), {area_m2(area), 0},
                       "the block's border crosses itself, or encloses nothing");
-  const Shape obstacles = obstacles_of(plan, block, 0);
-  const Shape hard = obstacles_of(plan, block, kInside_m);
-  const Shape grown_area = grown(area, kInside_m);
-  const Shape room = hard ? without(grown_area, hard) : grown_area;
-  Shape high = room;
-  if (plan.vehicle.overhang_m > 0) {
-    high = without(grown(without_holes(area), plan.vehicle.overhang_m + kInside_m),
-                   grown(holes_of(area), -kInside_m));
-    if (hard) high = without(high, hard);
+  return area;
+}
+
+void add_grounds(Case& plan, const std::vector<LonLatArea>& parts) {
+  std::vector<Shape> areas;
+  for (const LonLatArea& part : parts)
+    areas.push_back(area_of(plan, static_cast<int>(areas.size()) + 1, part));
+  const Standing standing = standing_in(plan, areas);
+  for (const Shape& area : areas) {
+    const Shape room = without(grown(area, kInside_m), standing.hard);
+    plan.grounds.push_back({static_cast<int>(plan.grounds.size()) + 1, area, standing.obstacles,
+                            standing.kept, without(area, standing.kept), Prepared{room},
+                            Border{border_of(room)}});
   }
-  plan.grounds.push_back({block, area, obstacles, obstacles ? without(area, obstacles) : area, Prepared{room},
-                          Border{border_of(room)}, Border{border_of(high)}});
 }
 
 }  // namespace
@@ -72,10 +91,8 @@ void check_grounds(Case& plan) {
   }
   const FieldRecord& field = plan.plan.fields.front();
   double sum = 0;
-  for (std::size_t i = 0; i < field.parts.size(); ++i) {
-    add_ground(plan, static_cast<int>(i) + 1, field.parts[i]);
-    sum += area_m2(plan.grounds.back().area);
-  }
+  add_grounds(plan, field.parts);
+  for (const Ground& ground : plan.grounds) sum += area_m2(ground.area);
   const double slack = 0.01 + 1e-5 * sum;
   if (!(std::abs(sum - field.area_m2) <= slack))
     plan.findings.add("field_area", 0, std::nullopt, {field.area_m2, sum},

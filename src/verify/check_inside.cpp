@@ -64,15 +64,13 @@ class InsideCheck {
       return;
     }
     const double span = piece.record().angle_rad ? std::abs(*piece.record().angle_rad) : piece.length_m();
-    check_shape(i, span, {body_, &ground_.border, "body_outside", "body_obstacle", "body"});
-    const Border& tool_border = piece.record().tool == 1 ? ground_.border : ground_.overhang_border;
-    check_shape(i, span, {tool_, &tool_border, "tool_outside", "tool_obstacle", "tool"});
+    check_shape(i, span, {body_, "body_outside", "body_obstacle", "body"});
+    check_shape(i, span, {tool_, "tool_outside", "tool_obstacle", "tool"});
   }
 
   /// What is to stay inside, and what is said where it does not.
   struct Member {
     Outline4 shape;
-    const Border* border;
     const char* outside;
     const char* in_obstacle;
     const char* name;
@@ -80,9 +78,8 @@ class InsideCheck {
 
   void check_shape(std::size_t i, double span, const Member& member) {
     const int block = driven_.record->block;
-    const bool told = !ground_.obstacles || plan_.findings.full(member.in_obstacle, block);
-    if (told && plan_.findings.full(member.outside, block)) return;
-    const auto where = first_touch(driven_.pieces[i], 0, span, member.shape, *member.border);
+    if (plan_.findings.full(member.outside, block) && plan_.findings.full(member.in_obstacle, block)) return;
+    const auto where = first_touch(driven_.pieces[i], 0, span, member.shape, ground_.border);
     if (where) tell(i, span, *where, member);
   }
 
@@ -128,7 +125,7 @@ class InsideCheck {
       const Shape there = polygon_of(placed_corners(pose(driven_.pieces[i], along), some));
       const double off = farthest_m(without(there, ground_.free), ground_.free);
       if (off > out) out = off, worst = along;
-      if (ground_.obstacles) in_obstacle = std::max(in_obstacle, area_m2(common(there, ground_.obstacles)));
+      in_obstacle = std::max(in_obstacle, area_m2(common(there, ground_.kept)));
     }
     const Point at = pose(driven_.pieces[i], worst).at;
     const bool hits = in_obstacle > 1e-6;

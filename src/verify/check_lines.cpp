@@ -27,7 +27,8 @@ std::map<Key, std::vector<Stint>> stints_of(const Case& plan) {
     for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
       const PieceRecord& piece = driven.pieces[i].record();
       if (piece.kind == "wait") continue;
-      if (!piece.ref.empty() || piece.kind == "swath" || piece.kind == "headland_pass") {
+      const bool way = piece.kind == "turn" || piece.kind == "transfer" || piece.kind == "pivot";
+      if (!piece.ref.empty() || !way) {
         auto& all = stints[{driven.record->block, piece.ref}];
         if (all.empty() || piece.ref != before) all.push_back({&driven, i, i});
         all.back().last = i;

@@ -8,10 +8,18 @@
 namespace selion::verifying {
 namespace {
 
-/// Where the robot is at some time, and how fast a point of its body may move around then.
+/// Where the robot is at some time, on the spot turned as far as it is by then.
 Pose pose_at(const Driven& driven, double t_s) {
   const Stop here = driven.stop(way_m(driven, t_s));
-  return driven.pieces[here.piece].vehicle(here.s_m);
+  Pose pose = driven.pieces[here.piece].vehicle(here.s_m);
+  const auto after = std::ranges::upper_bound(driven.moments, t_s, {}, &Moment::t_s);
+  if (after == driven.moments.begin() || after == driven.moments.end()) return pose;
+  const Moment& before = *(after - 1);
+  if (before.spin_rad_s == 0 && after->spin_rad_s == 0) return pose;
+  const double span = t_s - before.t_s;
+  const double gain = (after->spin_rad_s - before.spin_rad_s) / (after->t_s - before.t_s);
+  pose.heading_rad = before.heading_rad + (before.spin_rad_s + gain * span / 2) * span;
+  return pose;
 }
 
 class RobotCheck {

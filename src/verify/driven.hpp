@@ -54,6 +54,8 @@ struct Moment {
   double t_s = 0;
   double speed_mps = 0;  ///< without its sign
   double way_m = 0;
+  double heading_rad = 0;  ///< of the vehicle
+  double spin_rad_s = 0;   ///< on the spot; between moments it changes evenly
 };
 
 /// A place on a piece.

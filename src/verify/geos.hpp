@@ -49,6 +49,8 @@ double distance_m(const Shape& a, const Shape& b);
 /// How far the farthest corner of `shape` lies from `from`.
 double farthest_m(const Shape& shape, const Shape& from);
 std::vector<Outline> outlines_of(const Shape& shape);
+/// With its holes.
+Shape filled(const Shape& area);
 /// Of lines and rings, these with the first corner again at their end.
 std::vector<std::vector<Point>> lines_of(const Shape& shape);
 /// A place inside; of an empty shape none.

@@ -58,6 +58,12 @@ std::vector<std::vector<Point>> lines_of(const Shape& shape) {
   return lines;
 }
 
+Shape filled(const Shape& area) {
+  std::vector<Shape> shells;
+  for (const Outline& outline : outlines_of(area)) shells.push_back(polygon_of(outline.shell));
+  return united(shells);
+}
+
 std::optional<Point> place_in(const Shape& shape) {
   const Shape inside = held(GEOSPointOnSurface_r(handle(), shape.get()));
   Point p;

@@ -44,6 +44,17 @@ LonLat Plane::to_lonlat(Point p) const {
   return {out.xy.x / unit, out.xy.y / unit};
 }
 
+Point ground_m(LonLat from, LonLat to) {
+  constexpr double kMajor_m = 6378137;
+  constexpr double kEccentricity2 = 0.00669437999014;
+  const double lat = (from.lat_deg + to.lat_deg) / 2 * kDegree;
+  const double flat = 1 - kEccentricity2 * std::sin(lat) * std::sin(lat);
+  const double across_m = kMajor_m / std::sqrt(flat);             // radius of curvature, prime vertical
+  const double along_m = across_m * (1 - kEccentricity2) / flat;  // of the meridian
+  return {(to.lon_deg - from.lon_deg) * kDegree * across_m * std::cos(lat),
+          (to.lat_deg - from.lat_deg) * kDegree * along_m};
+}
+
 std::vector<Point> Plane::to_local(const std::vector<LonLat>& line) const {
   std::vector<Point> local;
   local.reserve(line.size());

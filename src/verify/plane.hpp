@@ -30,4 +30,7 @@ class Plane {
   bool in_radians_ = false;
 };
 
+/// Metres east and north, on WGS84, of a place close by.
+Point ground_m(LonLat from, LonLat to);
+
 }  // namespace selion::verifying

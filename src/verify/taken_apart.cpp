@@ -15,6 +15,14 @@ constexpr double kFar_m = 1e6;  // no field reaches as far from its frame's orig
 constexpr double kMostBend_per_m = 1e3;
 constexpr double kMostTurned_rad = 20;  // in one piece: three rounds
 
+/// Keys that belong to another kind of piece would lead the check astray.
+bool of_its_kind(const PieceRecord& p) {
+  const bool pivots = p.kind == "pivot";
+  const bool waits = p.kind == "wait";
+  return p.angle_rad.has_value() == pivots && p.duration_s.has_value() == (pivots || waits) &&
+         (waits || !p.for_robot) && p.duration_s.value_or(0) >= 0;
+}
+
 bool plausible(const PieceRecord& p) {
   const double end = p.curvature_per_m + p.sharpness_per_m2 * p.length_m;
   return std::abs(p.x_m) < kFar_m && std::abs(p.y_m) < kFar_m && p.length_m >= 0 && p.length_m < kFar_m &&
@@ -32,19 +40,12 @@ struct Unit {
 
 Unit unit_at(const Plane& plane, LonLat origin) {
   constexpr double kStep_deg = 1e-3;
-  constexpr double kDegree = std::numbers::pi / 180;
-  constexpr double kMajor_m = 6378137;  // WGS84
-  constexpr double kEccentricity2 = 0.00669437999014;
-  const double lat = origin.lat_deg * kDegree;
-  const double flat = 1 - kEccentricity2 * std::sin(lat) * std::sin(lat);
-  const double across_m = kMajor_m / std::sqrt(flat);             // radius of curvature, prime vertical
-  const double along_m = across_m * (1 - kEccentricity2) / flat;  // of the meridian
-  const double east_m = across_m * std::cos(lat) * kStep_deg * kDegree;
-  const double north_m = along_m * kStep_deg * kDegree;
+  const Point step = ground_m({-kStep_deg / 2, origin.lat_deg - kStep_deg / 2},
+                              {kStep_deg / 2, origin.lat_deg + kStep_deg / 2});
   const auto at = [&](double lon, double lat_deg) {
     return plane.to_local({origin.lon_deg + lon * kStep_deg, origin.lat_deg + lat_deg * kStep_deg});
   };
-  return {(1 / east_m) * (at(0.5, 0) - at(-0.5, 0)), (1 / north_m) * (at(0, 0.5) - at(0, -0.5))};
+  return {(1 / step.x_m) * (at(0.5, 0) - at(-0.5, 0)), (1 / step.y_m) * (at(0, 0.5) - at(0, -0.5))};
 }
 
 std::string trajectory_name(const TrajectoryRecord& t) {
@@ -73,7 +74,8 @@ void TakenApart::refuse(const char* code, const std::string& what) {
 }
 
 void TakenApart::check_job(const std::string& trouble) {
-  if (!trouble.empty()) return refuse("job", "the job lacks, or has no value for: " + trouble);
+  if (!trouble.empty())
+    return refuse("job", "the job lacks, or has no value that this version plans with for: " + trouble);
   try {
     validate(vehicle_.machine);
   } catch (const InputError& error) {
@@ -116,10 +118,14 @@ void TakenApart::check_trajectory(const TrajectoryRecord& t) {
   if (t.block < 1 || static_cast<std::size_t>(t.block) > blocks)
     refuse("block", name + " belongs to no block of the field");
   if (t.pieces.empty() || t.line.size() < 2) refuse("no_trajectory", name + " is empty");
-  const auto odd = std::ranges::find_if_not(t.pieces, plausible);
-  if (odd != t.pieces.end())
-    refuse("piece", name + ": piece " + std::to_string(odd - t.pieces.begin() + 1) +
-                        " has a length below 0, or numbers that no machine drives");
+  const auto refuse_unless = [&](bool (*sound)(const PieceRecord&), const std::string& what) {
+    const auto odd = std::ranges::find_if_not(t.pieces, sound);
+    if (odd != t.pieces.end())
+      refuse("piece",
+             name + ": piece " + std::to_string(odd - t.pieces.begin() + 1) + " (" + odd->kind + ")" + what);
+  };
+  refuse_unless(plausible, " has a length below 0, or numbers that no machine drives");
+  refuse_unless(of_its_kind, " has keys of another kind of piece, or a duration below 0");
   const double wide = vehicle_.machine.working_width_m;
   if (!(std::abs(t.working_width_m - wide) <= 1e-3))
     findings_.add("line_width", t.block, std::nullopt, {t.working_width_m, wide},

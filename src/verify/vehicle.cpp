@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include <nlohmann/json.hpp>
@@ -10,53 +11,68 @@
 namespace selion::verifying {
 namespace {
 
-using nlohmann::json;
-
-class Reader {
+/// Reads keys of a job; those that are missing or of another kind are named in `trouble`.
+class JobReader {
  public:
-  Reader(const json& job, std::string& trouble) : job_{job}, trouble_{trouble} {}
+  JobReader(const nlohmann::json& job, std::string& trouble) : job_{job}, trouble_{trouble} {}
 
   double number(const char* table, const char* key) {
-    const json* value = find(table, key);
+    const nlohmann::json* value = find(table, key);
     if (value != nullptr && value->is_number()) return value->get<double>();
     say(table, key);
     return 1;
   }
   /// Absent where a word stands there.
   std::optional<double> number_or_word(const char* table, const char* key) {
-    const json* value = find(table, key);
+    const nlohmann::json* value = find(table, key);
     if (value != nullptr && value->is_string()) return std::nullopt;
     return number(table, key);
   }
   bool flag(const char* table, const char* key) {
-    const json* value = find(table, key);
+    const nlohmann::json* value = find(table, key);
     if (value != nullptr && value->is_boolean()) return value->get<bool>();
     say(table, key);
     return false;
   }
   std::string word(const char* table, const char* key) {
-    const json* value = find(table, key);
+    const nlohmann::json* value = find(table, key);
     if (value != nullptr && value->is_string()) return value->get<std::string>();
     say(table, key);
     return {};
   }
+  std::string one_of(const char* table, const char* key, std::initializer_list<const char*> words) {
+    std::string given = word(table, key);
+    if (std::ranges::find(words, given) == words.end()) say(table, key);
+    return given;
+  }
+  /// Empty where the list is.
+  std::vector<double> numbers(const char* table, const char* key, std::size_t count) {
+    const nlohmann::json* value = find(table, key);
+    if (value == nullptr || !value->is_array() || (!value->empty() && value->size() != count) ||
+        !std::ranges::all_of(*value, [](const nlohmann::json& item) { return item.is_number(); })) {
+      say(table, key);
+      return {};
+    }
+    return value->get<std::vector<double>>();
+  }
+  void say(const std::string& table, const char* key) {
+    trouble_ += (trouble_.empty() ? "" : ", ") + table + (table.empty() ? "" : ".") + key;
+  }
 
  private:
-  const json* find(const char* table, const char* key) {
+  const nlohmann::json* find(const std::string& table, const char* key) {
+    if (table.empty()) return job_.contains(key) ? &job_[key] : nullptr;
     const auto at = job_.find(table);
     if (at == job_.end() || !at->is_object()) return nullptr;
     const auto value = at->find(key);
     return value == at->end() ? nullptr : &*value;
   }
-  void say(const char* table, const char* key) {
-    trouble_ += (trouble_.empty() ? "" : ", ") + std::string{table} + "." + key;
-  }
 
-  const json& job_;
+  const nlohmann::json& job_;
   std::string& trouble_;
 };
 
-void read_measures(Machine& m, Reader& job) {
+void read_measures(Machine& m, JobReader& job) {
   const auto of_machine = [&job](const char* key) { return job.number("machine", key); };
   m.working_width_m = of_machine("working_width_m");
   m.tool_x_m = of_machine("tool_x_m");
@@ -71,7 +87,7 @@ void read_measures(Machine& m, Reader& job) {
   m.min_work_radius_m = job.number_or_word("machine", "min_work_radius_m");
 }
 
-void read_powers(Machine& m, Reader& job) {
+void read_powers(Machine& m, JobReader& job) {
   const auto of_machine = [&job](const char* key) { return job.number("machine", key); };
   m.max_speed_mps = of_machine("max_speed_mps");
   m.work_speed_mps = of_machine("work_speed_mps");
@@ -80,26 +96,46 @@ void read_powers(Machine& m, Reader& job) {
   m.max_brake_mps2 = of_machine("max_brake_mps2");
   m.max_lateral_mps2 = of_machine("max_lateral_mps2");
   m.safety_gap_m = of_machine("safety_gap_m");
+  m.run_in_m = of_machine("run_in_m");
+  m.tool_raise_s = of_machine("tool_raise_s");
+  m.tool_lower_s = of_machine("tool_lower_s");
   m.may_reverse = job.flag("machine", "may_reverse");
   m.may_pivot = job.flag("machine", "may_pivot");
-  m.kind = job.word("machine", "kind") == "differential" ? MachineKind::differential : MachineKind::car;
+  m.kind = job.one_of("machine", "kind", {"car", "differential"}) == "car" ? MachineKind::car
+                                                                           : MachineKind::differential;
+}
+
+void read_work(Work& work, JobReader& job) {
+  job.one_of("", "operation", {"tillage", "seeding", "weeding", "spraying", "mowing", "harvest", "scouting"});
+  job.one_of("headland", "corners", {"round", "fill"});
+  job.one_of("layout", "kind", {"linear"});
+  for (const auto& [table, key] : {std::pair{"field", "overhang_m"}, {"layout", "tramlines"}})
+    if (job.number(table, key) != 0) job.say(table, key);  // this version plans with none
+  work.overlap_m = job.number("layout", "overlap_m");
+  work.ab_shift_m = job.number("layout", "ab_shift_m");
+  work.ab = job.numbers("layout", "ab", 4);
+  work.direction_deg = job.number_or_word("layout", "direction");
+  work.passes = job.number_or_word("headland", "passes");
+  work.headland_order = job.one_of("headland", "order", {"first", "last", "none"});
+  work.start = job.word("route", "start");
 }
 
 }  // namespace
 
 Vehicle vehicle_of(const std::string& job_json, std::string& trouble) {
-  const json job = json::parse(job_json, nullptr, false);
+  const auto job = nlohmann::json::parse(job_json, nullptr, false);
   if (!job.is_object()) {
     trouble = "the whole job";
     return {};
   }
-  Reader reader{job, trouble};
+  JobReader reader{job, trouble};
   Vehicle vehicle;
   read_measures(vehicle.machine, reader);
   read_powers(vehicle.machine, reader);
-  vehicle.overhang_m = reader.number("field", "overhang_m");
+  vehicle.edge_margin_m = reader.number("field", "edge_margin_m");
   vehicle.obstacle_clearance_m = reader.number("field", "obstacle_clearance_m");
   vehicle.water_margin_m = reader.number("field", "water_margin_m");
+  read_work(vehicle.work, reader);
   const Machine& m = vehicle.machine;
   constexpr double kDegree = std::numbers::pi / 180;
   vehicle.most_curvature_per_m =

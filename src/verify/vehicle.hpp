@@ -9,10 +9,22 @@
 
 namespace selion::verifying {
 
+/// What a job says of swaths and headland.
+struct Work {
+  double overlap_m = 0;
+  double ab_shift_m = 0;
+  std::vector<double> ab;               ///< longitude, latitude of A, then of B; or empty
+  std::optional<double> direction_deg;  ///< of the compass, where one was asked for
+  std::optional<double> passes;         ///< of the headland, where a number was asked for
+  std::string headland_order;           ///< first | last | none
+  std::string start;                    ///< "gate:1", a gate's name, or empty
+};
+
 /// What a job says of the machine and of the distances that it keeps.
 struct Vehicle {
   Machine machine;
-  double overhang_m = 0;
+  Work work;
+  double edge_margin_m = 0;
   double obstacle_clearance_m = 0;
   double water_margin_m = 0;
   double most_curvature_per_m = 0;          ///< by steering angle or turning radius
@@ -20,7 +32,8 @@ struct Vehicle {
   double most_steering_rad_s = 0;
 };
 
-/// @returns the keys that are missing or no numbers in `trouble`; then the vehicle is not to be used.
+/// @returns the keys that are missing, or have values that this version does not plan with, in `trouble`;
+/// then the vehicle is not to be used.
 Vehicle vehicle_of(const std::string& job_json, std::string& trouble);
 
 /// How fast the steering moves (its angle is atan(L k); of a differential machine, L k itself) where a path

@@ -18,9 +18,15 @@ Verdict verify(const PlanFile& file, const std::optional<GivenField>& given) {
       check_bends(plan, driven);
       check_samples(plan, driven);
       check_speeds(plan, driven);
+      check_tool(plan, driven);
       check_inside(plan, driven);
+      check_margin(plan, driven);
     }
+    check_records(plan);
     check_lines(plan);
+    check_ab(plan);
+    check_headlands(plan);
+    check_waits(plan);
     check_robots(plan);
     check_coverage(plan, verdict);
     check_summary(plan, verdict);

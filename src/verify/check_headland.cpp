@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "check.hpp"
+
+namespace selion::verifying {
+namespace {
+
+constexpr double kOverlap_m = 0.02;  // of neighbouring rings, so that no sliver stays between
+constexpr double kStep_m = 2;
+
+Shape shape_of(const Plane& plane, const std::vector<LonLatArea>& parts) {
+  std::vector<Shape> shapes;
+  for (const LonLatArea& part : parts) {
+    Outline outline{plane.to_local(part.shell), {}};
+    for (const LonLatLine& hole : part.holes) outline.holes.push_back(plane.to_local(hole));
+    shapes.push_back(made_valid(polygon_of(outline)));
+  }
+  return united(shapes);
+}
+
+/// Headland and cells of one block.
+class HeadlandCheck {
+ public:
+  HeadlandCheck(Case& plan, const Ground& ground, const HeadlandRecord& headland)
+      : plan_{plan}, ground_{ground}, headland_{headland} {}
+
+  void run() {
+    depth();
+    shares();
+    passes();
+  }
+
+ private:
+  void say(const Measured& measured, const std::string& what, std::optional<Point> at = std::nullopt) {
+    plan_.findings.add("headland", ground_.block, at, measured, what);
+  }
+
+  [[nodiscard]] double half_m() const {
+    return std::max(plan_.vehicle.machine.working_width_m, plan_.vehicle.machine.body_width_m) / 2;
+  }
+  [[nodiscard]] double spacing_m() const { return plan_.vehicle.machine.working_width_m - kOverlap_m; }
+
+  /// As deep as edge margin and passes make it.
+  void depth() {
+    const double margin = plan_.vehicle.edge_margin_m;
+    const int passes = headland_.passes;
+    const double deep = passes == 0 ? margin
+                                    : margin + half_m() + plan_.vehicle.machine.working_width_m / 2 +
+                                          (passes - 1) * spacing_m();
+    if (!(std::abs(headland_.depth_m - deep) <= kOverlap_m))
+      say({headland_.depth_m, deep}, "the headland is said to be " + shown(headland_.depth_m, 2) +
+                                         " m deep; " + std::to_string(passes) +
+                                         " passes and the edge margin make it " + shown(deep, 2) + " m");
+    const auto asked = plan_.vehicle.work.passes;
+    if (asked && *asked != passes)
+      say({1.0 * passes, *asked}, "the headland is said to have " + std::to_string(passes) +
+                                      " passes, the job asks for " + shown(*asked, 0));
+  }
+
+  /// The block is headland and cells, nothing twice; the cells lie as deep as is said.
+  void shares() {
+    std::vector<LonLatArea> parts;
+    for (const CellRecord& cell : plan_.plan.cells)
+      if (cell.block == ground_.block) parts.insert(parts.end(), cell.parts.begin(), cell.parts.end());
+    const Shape cells = shape_of(plan_.plane, parts);
+    const Shape band = shape_of(plan_.plane, headland_.parts);
+    const double slack = 0.1 + 1e-3 * (perimeter_m(band) + perimeter_m(cells));
+    const auto tell = [&](const Shape& where, const std::string& what) {
+      if (area_m2(where) > slack)
+        say({area_m2(where), slack}, shown(area_m2(where), 1) + " m2 " + what, place_in(where));
+    };
+    tell(common(band, cells), "are said to be headland and cell");
+    tell(without(ground_.area, united({band, cells})), "of the block are neither headland nor cell");
+    tell(without(united({band, cells}), ground_.area), "of headland and cells lie outside the block");
+    const double near = distance_m(cells, border_of(filled(ground_.area)));
+    if (!(near >= headland_.depth_m - kOverlap_m))
+      say({near, headland_.depth_m}, "a cell lies " + shown(near, 2) +
+                                         " m from the border; the headland is said to be " +
+                                         shown(headland_.depth_m, 2) + " m deep");
+  }
+
+  /// Rings are numbered from the border, and lie a width apart.
+  void passes() {
+    for (const HeadlandPassRecord& pass : plan_.plan.headland_passes) {
+      if (pass.block != ground_.block) continue;
+      const Point at = plan_.plane.to_local(pass.line.front());
+      if (pass.ring > headland_.passes)
+        say({1.0 * pass.ring, 1.0 * headland_.passes},
+            pass.id + " is said to be ring " + std::to_string(pass.ring) + " of a headland of " +
+                std::to_string(headland_.passes) + " passes",
+            at);
+      const double told = half_m() + (pass.ring - 1) * spacing_m();
+      const auto [near, usual] = distances_m(pass.line);
+      const double most = told + plan_.vehicle.edge_margin_m + spacing_m() / 2;
+      if (!(usual >= told - spacing_m() / 2) || !(near <= most))
+        say({usual, told},
+            pass.id + " is said to be ring " + std::to_string(pass.ring) + ", about " + shown(told, 1) +
+                " m from border or obstacles; it lies " + shown(usual, 1) + " m off",
+            at);
+    }
+  }
+
+  /// Of a quarter and of half of the line's places: it cuts corners and swings out round others, and leads
+  /// past slits.
+  [[nodiscard]] std::pair<double, double> distances_m(const LonLatLine& line) const {
+    const std::vector<Point> points = plan_.plane.to_local(line);
+    const Prepared border{border_of(ground_.free)};
+    std::vector<double> off;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const int steps = 1 + static_cast<int>(distance_m(points[i - 1], points[i]) / kStep_m);
+      for (int k = 0; k < steps; ++k)
+        off.push_back(
+            border.distance_m(std::array{points[i - 1] + (1.0 * k / steps) * (points[i] - points[i - 1])}));
+    }
+    std::ranges::sort(off);
+    return {off[off.size() / 4], off[off.size() / 2]};
+  }
+
+  Case& plan_;
+  const Ground& ground_;
+  const HeadlandRecord& headland_;
+};
+
+}  // namespace
+
+void check_headlands(Case& plan) {
+  for (const Ground& ground : plan.grounds) {
+    const auto of_block = [&](const auto& record) { return record.block == ground.block; };
+    const auto count = std::ranges::count_if(plan.plan.headlands, of_block);
+    const auto headland = std::ranges::find_if(plan.plan.headlands, of_block);
+    const bool passes = std::ranges::any_of(plan.plan.headland_passes, of_block);
+    if (count > 1 || (count == 0 && passes))
+      plan.findings.add("headland", ground.block, std::nullopt, {1.0 * static_cast<double>(count), 1},
+                        "the block has headland passes and no headland, or several headlands");
+    else if (count == 1)
+      HeadlandCheck{plan, ground, *headland}.run();
+  }
+}
+
+}  // namespace selion::verifying

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+
+#include "verify_mutants.hpp"
+
+namespace selion {
+namespace {
+
+template <class Record, class Change>
+std::function<bool(PlanFile&, Dice&)> to_one(std::vector<Record> PlanFile::*records, Change change) {
+  return [=](PlanFile& plan, Dice& dice) {
+    auto& all = plan.*records;
+    if (all.empty()) return false;
+    change(all[dice.pick(all.size())], dice);
+    return true;
+  };
+}
+
+template <class Record>
+std::function<bool(PlanFile&, Dice&)> without(std::vector<Record> PlanFile::*records) {
+  return [=](PlanFile& plan, Dice&) {
+    (plan.*records).clear();
+    return true;
+  };
+}
+
+/// Another value for a key of the job, where it has none of `unless`.
+std::function<bool(PlanFile&, Dice&)> job(const std::string& key, const std::string& value,
+                                          const std::string& unless = "none") {
+  return [=](PlanFile& plan, Dice&) {
+    const std::string start = "\"" + key + "\":";
+    const std::size_t from = plan.job_json.find(start);
+    if (from == std::string::npos) return false;
+    const std::size_t to = plan.job_json.find_first_of(",}", from);
+    if (plan.job_json.compare(from + start.size(), to - from - start.size(), unless) == 0) return false;
+    plan.job_json.replace(from, to - from, start + value);
+    return true;
+  };
+}
+
+bool has_holes(const PlanFile& plan) { return !plan.fields.front().parts.front().holes.empty(); }
+
+bool nearer_to_holes(PlanFile& plan, Dice& dice) {
+  return has_holes(plan) && job("obstacle_clearance_m", "2.5")(plan, dice);
+}
+
+PieceRecord wait_of(const TrajectoryRecord& t) {
+  PieceRecord wait = t.pieces.front();
+  wait.kind = "wait", wait.ref.clear(), wait.tool = 0;
+  wait.length_m = wait.curvature_per_m = wait.sharpness_per_m2 = 0;
+  wait.duration_s = 0;
+  return wait;
+}
+
+/// For a robot that does not come, or not so far.
+bool wait_for_ever(PlanFile& plan, Dice& dice) {
+  TrajectoryRecord& t = plan.trajectories[dice.pick(plan.trajectories.size())];
+  PieceRecord wait = wait_of(t);
+  wait.for_robot = t.robot + static_cast<int>(dice.pick(2));
+  wait.until_station_m = t.length_m / 2;
+  t.pieces.insert(t.pieces.begin(), wait);
+  return true;
+}
+
+/// The samples rest in their middle, no piece does.
+bool rest_for_long(PlanFile& plan, Dice& dice) {
+  TrajectoryRecord& t = plan.trajectories[dice.pick(plan.trajectories.size())];
+  const double by = dice.between(1, 1e6);
+  for (std::size_t i = 1; i + 1 < t.line.size(); ++i) {
+    if (t.speed_mps[i] != 0) continue;
+    for (std::size_t k = i + 1; k < t.line.size(); ++k) t.t_s[k] += by;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    t.line.insert(t.line.begin() + at, t.line[i]);
+    for (auto* numbers : {&t.t_s, &t.heading_rad, &t.curvature_per_m, &t.speed_mps})
+      numbers->insert(numbers->begin() + at, (*numbers)[i]);
+    t.t_s[i + 1] += by;
+    t.tool.insert(t.tool.begin() + at, t.tool[i]);
+    t.duration_s += by;
+    return true;
+  }
+  return false;
+}
+
+const std::vector<Mutation>& of_layout() {
+  using P = PlanFile;
+  static const std::vector<Mutation> all{
+      {"invent a figure of the summary",
+       {"summary"},
+       [](P& p, Dice&) {
+         p.summary.push_back({"yield_t", 400});
+         return true;
+       }},
+      {"move a gate off the border",
+       {"gate"},
+       to_one(&P::gates, [](auto& g, Dice& d) { g.at.lat_deg += d.between(1e-6, 1e-3); })},
+      {"a gate narrower than the body", {"gate"}, to_one(&P::gates, [](auto& g, Dice&) { g.width_m = 0.3; })},
+      {"a gate of no block", {"block"}, to_one(&P::gates, [](auto& g, Dice&) { g.block = 8; })},
+      {"begin at a gate that is not there", {"gate"}, job("start", "\"gate:7\"")},
+      {"turn an AB line",
+       {"ab"},
+       to_one(&P::ab_lines, [](auto& a, Dice& d) { a.b.lat_deg += d.between(2e-6, 1e-4); })},
+      {"edit an AB line's bearing",
+       {"ab"},
+       to_one(&P::ab_lines, [](auto& a, Dice& d) { a.bearing_deg += d.between(0.01, 180); })},
+      {"swap A and B",
+       {"ab", "swath_direction"},
+       to_one(&P::ab_lines, [](auto& a, Dice&) { std::swap(a.a, a.b); })},
+      {"drop the AB lines", {"ab"}, without(&P::ab_lines)},
+      {"ask for another AB line", {"ab"}, job("ab", "[10,50,10.001,50.0005]")},
+      {"ask for another bearing", {"ab"}, job("direction", "17.25")},
+      {"edit a cell's bearing",
+       {"ab"},
+       to_one(&P::cells, [](auto& c, Dice& d) { c.bearing_deg += d.between(0.01, 90); })},
+      {"rename a cell", {"cell"}, to_one(&P::cells, [](auto& c, Dice&) { c.id += "x"; })},
+      {"drop the cells", {"cell", "headland"}, without(&P::cells)},
+      {"move a cell",
+       {"headland"},
+       to_one(&P::cells,
+              [](auto& c, Dice& d) {
+                const double by = d.between(1e-6, 1e-4);
+                for (LonLatArea& part : c.parts)
+                  for (LonLat& p : part.shell) p.lat_deg += by;
+              })},
+      {"a swath of another cell", {"cell"}, to_one(&P::swaths, [](auto& s, Dice&) { s.cell += "7"; })},
+      {"turn a swath's line round",
+       {"swath_direction"},
+       to_one(&P::swaths, [](auto& s, Dice&) { std::swap(s.line.front(), s.line.back()); })},
+      {"edit the headland's depth",
+       {"headland"},
+       to_one(&P::headlands, [](auto& h, Dice& d) { h.depth_m += d.between(0.05, 3); })},
+      {"edit the headland's passes", {"headland"}, to_one(&P::headlands, [](auto& h, Dice&) { ++h.passes; })},
+      {"another ring of a pass", {"headland"}, to_one(&P::headland_passes, [](auto& p, Dice&) { ++p.ring; })},
+      {"drop the headland", {"headland"}, without(&P::headlands)},
+      {"ask for more passes", {"headland"}, job("passes", "9")},
+      {"ask for more overlap", {"swath_spacing"}, job("overlap_m", "0.12")},
+      {"keep farther from the border", {"edge_margin", "headland"}, job("edge_margin_m", "0.6")},
+      {"keep farther from holes", {"body_obstacle", "tool_obstacle", "path_outside"}, nearer_to_holes},
+      {"pass over the border", {"job"}, job("overhang_m", "2")},
+      {"an unknown operation", {"job"}, job("operation", "\"racing\"")},
+      {"a tool slower to lower", {"tool_lowering"}, job("tool_lower_s", "9")},
+      {"a tool slower to raise", {"tool_raising"}, job("tool_raise_s", "60")},
+      {"a shorter run-in", {"tool_lowering"}, job("run_in_m", "0.2", "0")},
+      {"wait for a robot that does not come", {"wait"}, wait_for_ever},
+      {"rest where nothing stands", {"rest"}, rest_for_long},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::span<const Mutation> mutations_of_layout() { return of_layout(); }
+
+}  // namespace selion
