@@ -107,21 +107,25 @@ class AbCheck {
   /// no AB line was given. Seen from an AB line that is given, and the shift, they lie at whole strips.
   void spacing(const std::map<int, double>& strips) {
     const Work& work = plan_.vehicle.work;
-    const double apart = plan_.vehicle.machine.working_width_m - work.overlap_m;
-    auto before = strips.end();
-    for (auto strip = strips.begin(); strip != strips.end(); before = strip++) {
-      const bool given = !work.ab.empty();
-      const bool may_overlap = !given && std::next(strip) == strips.end();
-      if (!given && before == strips.end()) continue;
-      const double found = given ? strip->second : strip->second - before->second;
-      const double told =
-          given ? work.ab_shift_m + apart * (strip->first - 1) : apart * (strip->first - before->first);
-      if (found <= told + kLine_m && (may_overlap ? found > 0 : found >= told - kLine_m)) continue;
-      say("swath_spacing", a_ + found * Point{ahead_.y_m, -ahead_.x_m}, {found, told},
-          "strip " + std::to_string(strip->first) + " lies " + shown(found, 3) + " m right of " +
-              (given ? "the AB line" : "strip " + std::to_string(before->first)) +
-              "; tool and overlap make it " + shown(told, 3) + " m");
+    const bool given = !work.ab.empty();
+    std::optional<std::pair<int, double>> from;  // number and place of what the next strip is seen from
+    if (given) from = {1, work.ab_shift_m};
+    for (const auto& [number, aside] : strips) {
+      const bool may_overlap = !given && number == strips.rbegin()->first;
+      if (from) apart(*from, {number, aside}, may_overlap);
+      if (!given) from = {number, aside};
     }
+  }
+
+  void apart(std::pair<int, double> from, std::pair<int, double> to, bool may_overlap) {
+    const Work& work = plan_.vehicle.work;
+    const double told = (plan_.vehicle.machine.working_width_m - work.overlap_m) * (to.first - from.first);
+    const double found = to.second - from.second;
+    if (found <= told + kLine_m && (may_overlap ? found > 0 : found >= told - kLine_m)) return;
+    say("swath_spacing", a_ + to.second * Point{ahead_.y_m, -ahead_.x_m}, {found, told},
+        "strip " + std::to_string(to.first) + " lies " + shown(found, 3) + " m right of " +
+            (work.ab.empty() ? "" : "the given line's ") + "strip " + std::to_string(from.first) +
+            "; tool and overlap make it " + shown(told, 3) + " m");
   }
 
   Case& plan_;

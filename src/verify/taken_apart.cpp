@@ -20,7 +20,7 @@ bool of_its_kind(const PieceRecord& p) {
   const bool pivots = p.kind == "pivot";
   const bool waits = p.kind == "wait";
   return p.angle_rad.has_value() == pivots && p.duration_s.has_value() == (pivots || waits) &&
-         (waits || !p.for_robot) && p.duration_s.value_or(0) >= 0;
+         (waits ? p.ref.empty() : !p.for_robot) && p.duration_s.value_or(0) >= 0;
 }
 
 bool plausible(const PieceRecord& p) {

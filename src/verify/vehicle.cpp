@@ -22,11 +22,13 @@ class JobReader {
     say(table, key);
     return 1;
   }
-  /// Absent where a word stands there.
-  std::optional<double> number_or_word(const char* table, const char* key) {
+  /// Absent where one of the words stands there.
+  std::optional<double> number_or(const char* table, const char* key,
+                                  std::initializer_list<const char*> words) {
     const nlohmann::json* value = find(table, key);
-    if (value != nullptr && value->is_string()) return std::nullopt;
-    return number(table, key);
+    if (value == nullptr || !value->is_string()) return number(table, key);
+    one_of(table, key, words);
+    return std::nullopt;
   }
   bool flag(const char* table, const char* key) {
     const nlohmann::json* value = find(table, key);
@@ -83,8 +85,8 @@ void read_measures(Machine& m, JobReader& job) {
   m.track_m = of_machine("track_m");
   m.max_steer_deg = of_machine("max_steer_deg");
   m.max_steer_rate_deg_s = of_machine("max_steer_rate_deg_s");
-  m.min_turn_radius_m = job.number_or_word("machine", "min_turn_radius_m");
-  m.min_work_radius_m = job.number_or_word("machine", "min_work_radius_m");
+  m.min_turn_radius_m = job.number_or("machine", "min_turn_radius_m", {"auto"});
+  m.min_work_radius_m = job.number_or("machine", "min_work_radius_m", {"auto"});
 }
 
 void read_powers(Machine& m, JobReader& job) {
@@ -114,8 +116,8 @@ void read_work(Work& work, JobReader& job) {
   work.overlap_m = job.number("layout", "overlap_m");
   work.ab_shift_m = job.number("layout", "ab_shift_m");
   work.ab = job.numbers("layout", "ab", 4);
-  work.direction_deg = job.number_or_word("layout", "direction");
-  work.passes = job.number_or_word("headland", "passes");
+  work.direction_deg = job.number_or("layout", "direction", {"edge", "p3"});
+  work.passes = job.number_or("headland", "passes", {"auto"});
   work.headland_order = job.one_of("headland", "order", {"first", "last", "none"});
   work.start = job.word("route", "start");
 }
