@@ -124,14 +124,6 @@ class Steps {
   std::array<Box, kMost + 1> boxes_;
 };
 
-/// So short that no corner strays from its chord by more than kStray_m: the farthest moves 1 + k r as fast as
-/// the axle, on a circle of 1/k + r.
-double curve_step_m(const Footprint& f, const Curve& curve) {
-  const double k = std::max(std::abs(curve.curvature_per_m),
-                            std::abs(curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m));
-  return std::min(kLongestStep_m, std::sqrt(8 * kStray_m / (k * (1 + k * reach_m(f)))));
-}
-
 /// Nothing near at the start, the middle and the end: with the slack of `free_space` that is nothing near
 /// between them.
 bool far_along(const FreeSpace& space, const Pose& pose, double ahead_m) {
@@ -182,7 +174,8 @@ bool clear_along(const FreeSpace& space, const Footprint& f, const Stretch& stre
   if (is_pivot(stretch)) return clear_around(space, f, stretch);
   if (is_straight(stretch.curve)) return clear_along_line(space, f, stretch);
   const double length = stretch.curve.length_m;
-  const int steps = std::max(1, static_cast<int>(std::ceil(length / curve_step_m(f, stretch.curve))));
+  const double step_m = std::min(kLongestStep_m, chord_m(stretch.curve, reach_m(f), kStray_m));
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / step_m)));
   Walk walk{stretch, steps};
   const Stand first = walk.here();
   if (!clear_at(space, f, first)) return false;

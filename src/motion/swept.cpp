@@ -12,9 +12,7 @@ constexpr double kSweepStray_m = 0.003;  // of the tool's ends from the chords o
 
 /// So short that neither end of the tool strays from its chord by more than kSweepStray_m.
 double sweep_step_m(const Footprint& f, const Curve& curve) {
-  const double k = std::max(std::abs(curve.curvature_per_m),
-                            std::abs(curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m));
-  return std::sqrt(8 * kSweepStray_m / (k * (1 + k * std::hypot(f.tool_x_m, f.half_tool_m))));
+  return chord_m(curve, std::hypot(f.tool_x_m, f.half_tool_m), kSweepStray_m);
 }
 
 /// A strip while it grows: its right edge forwards, its left edge to be taken backwards.

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "selion/motion/path.hpp"
 #include "swing.hpp"
 
 namespace selion {
+
+/// The longest step along the curve from whose chord a point of the body, `reach_m` from the axle, strays by
+/// at most `stray_m`: by the largest second derivative of its way, k + k^2 r, and r times the sharpness.
+inline double chord_m(const Curve& curve, double reach_m, double stray_m) {
+  const double k = std::max(std::abs(curve.curvature_per_m),
+                            std::abs(curve.curvature_per_m + curve.sharpness_per_m2 * curve.length_m));
+  const double bend_per_m = k * (1 + k * reach_m) + std::abs(curve.sharpness_per_m2) * reach_m;
+  return std::sqrt(8 * stray_m / bend_per_m);
+}
 
 using Corners = std::array<Point, 4>;
 
