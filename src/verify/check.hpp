@@ -62,7 +62,7 @@ void check_speeds(Case& plan, const Driven& driven);
 void check_tool(Case& plan, const Driven& driven);
 /// Body and tool in the block and clear of obstacles, everywhere.
 void check_inside(Case& plan, const Driven& driven);
-/// What is worked straight on keeps the edge margin; round corners of headland passes it may be used.
+/// Swaths keep the edge margin; headland passes may use it at corners (check_headlands).
 void check_margin(Case& plan, const Driven& driven);
 /// Each swath and pass once, where its line lies, in its order.
 void check_lines(Case& plan);

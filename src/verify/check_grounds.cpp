@@ -53,7 +53,7 @@ Standing standing_in(const Case& plan, const std::vector<Shape>& areas) {
 
 Shape area_of(Case& plan, int block, const LonLatArea& part) {
   const Shape given = polygon_of(local_outline(plan.plane, part));
-  Shape area = made_valid(given);
+  Shape area = united(parts_of(made_valid(given)));  // without lines that touching borders leave
   // Rounded to the file's decimals, a border that all but touches itself may touch.
   constexpr double kRounded_m2 = 0.01;
   if (!(area_m2(area) > 0) || std::abs(area_m2(area) - area_m2(given)) > kRounded_m2)
@@ -64,6 +64,7 @@ Shape area_of(Case& plan, int block, const LonLatArea& part) {
 
 void add_grounds(Case& plan, const std::vector<LonLatArea>& parts) {
   std::vector<Shape> areas;
+  areas.reserve(parts.size());
   for (const LonLatArea& part : parts)
     areas.push_back(area_of(plan, static_cast<int>(areas.size()) + 1, part));
   const Standing standing = standing_in(plan, areas);

@@ -9,6 +9,8 @@ namespace selion::verifying {
 namespace {
 
 constexpr double kOverlap_m = 0.02;  // of neighbouring rings, so that no sliver stays between
+constexpr double kStray_m = 0.05;    // what lines of passes may stray along borders that are not straight
+constexpr double kLong = 8;          // widths
 constexpr double kStep_m = 2;
 
 Shape shape_of(const Plane& plane, const std::vector<LonLatArea>& parts) {
@@ -82,32 +84,42 @@ class HeadlandCheck {
                                          shown(headland_.depth_m, 2) + " m deep");
   }
 
-  /// Rings are numbered from the border, and lie a width apart.
+  /// Rings are numbered from the border; each lies a width farther in, or more.
   void passes() {
+    const Prepared around{border_of(ground_.free)};
+    const Prepared border{border_of(filled(ground_.area))};
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes) {
       if (pass.block != ground_.block) continue;
-      const Point at = plan_.plane.to_local(pass.line.front());
+      const std::vector<Point> line = plan_.plane.to_local(pass.line);
       if (pass.ring > headland_.passes)
         say({1.0 * pass.ring, 1.0 * headland_.passes},
             pass.id + " is said to be ring " + std::to_string(pass.ring) + " of a headland of " +
                 std::to_string(headland_.passes) + " passes",
-            at);
+            line.front());
       const double told = half_m() + (pass.ring - 1) * spacing_m();
-      const auto [near, usual] = distances_m(pass.line);
-      const double most = told + plan_.vehicle.edge_margin_m + spacing_m() / 2;
-      if (!(usual >= told - spacing_m() / 2) || !(near <= most))
+      const double usual = usual_distance_m(line, around);
+      if (!(usual >= told - spacing_m() / 2))
         say({usual, told},
-            pass.id + " is said to be ring " + std::to_string(pass.ring) + ", about " + shown(told, 1) +
-                " m from border or obstacles; it lies " + shown(usual, 1) + " m off",
-            at);
+            pass.id + " is said to be ring " + std::to_string(pass.ring) + ", " + shown(told, 1) +
+                " m or more from border and obstacles; it lies " + shown(usual, 1) + " m off",
+            line.front());
+      keeps_margin(pass.id, line, {usual_distance_m(line, border), told + plan_.vehicle.edge_margin_m});
     }
   }
 
-  /// Of a quarter and of half of the line's places: it cuts corners and swings out round others, and leads
-  /// past slits.
-  [[nodiscard]] std::pair<double, double> distances_m(const LonLatLine& line) const {
-    const std::vector<Point> points = plan_.plane.to_local(line);
-    const Prepared border{border_of(ground_.free)};
+  /// A long line does; short ones lead into corners.
+  void keeps_margin(const std::string& id, const std::vector<Point>& line, const Measured& off) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += distance_m(line[i - 1], line[i]);
+    if (length < kLong * plan_.vehicle.machine.working_width_m || off.measure >= off.limit - kStray_m) return;
+    plan_.findings.add("edge_margin", ground_.block, line.front(), off,
+                       id + " lies " + shown(off.measure, 3) +
+                           " m from the border; tool, ring and edge margin make it " + shown(off.limit, 3) +
+                           " m");
+  }
+
+  /// Of half of the line's places: it cuts corners and swings out round others. Past slits it leads far off.
+  [[nodiscard]] static double usual_distance_m(const std::vector<Point>& points, const Prepared& border) {
     std::vector<double> off;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const int steps = 1 + static_cast<int>(distance_m(points[i - 1], points[i]) / kStep_m);
@@ -115,8 +127,9 @@ class HeadlandCheck {
         off.push_back(
             border.distance_m(std::array{points[i - 1] + (1.0 * k / steps) * (points[i] - points[i - 1])}));
     }
-    std::ranges::sort(off);
-    return {off[off.size() / 4], off[off.size() / 2]};
+    const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+    std::ranges::nth_element(off, middle);
+    return *middle;
   }
 
   Case& plan_;

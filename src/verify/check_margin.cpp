@@ -7,14 +7,12 @@
 namespace selion::verifying {
 namespace {
 
-constexpr double kSwath_m = 0.02;
-constexpr double kPass_m = 0.05;  // what lines of passes may stray along a border that is not straight
+constexpr double kMargin_m = 0.02;
 
-/// What the tool works along a straight piece but for `less_m` at each end.
-std::array<Point, 4> worked(const Machine& machine, const PieceLine& piece, double less_m) {
+std::array<Point, 4> worked(const Machine& machine, const PieceLine& swath) {
   const double half = machine.working_width_m / 2;
-  const Pose from = piece.vehicle(less_m);
-  const Pose to = piece.vehicle(piece.length_m() - less_m);
+  const Pose from = swath.vehicle(0);
+  const Pose to = swath.vehicle(swath.length_m());
   return {placed(from, {machine.tool_x_m, -half}), placed(to, {machine.tool_x_m, -half}),
           placed(to, {machine.tool_x_m, half}), placed(from, {machine.tool_x_m, half})};
 }
@@ -28,13 +26,9 @@ void check_margin(Case& plan, const Driven& driven) {
   const Prepared border{border_of(filled(ground->area))};
   for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
     const PieceLine& piece = driven.pieces[i];
-    if (piece.record().tool == 0 || !piece.straight()) continue;
-    const bool swath = piece.record().kind == "swath";
-    const double corner =
-        swath ? 0 : plan.vehicle.machine.working_width_m;  // there passes may use the margin
-    if (!(piece.length_m() > 2 * corner)) continue;
-    const double off = border.distance_m(worked(plan.vehicle.machine, piece, corner));
-    if (!(off >= margin - (swath ? kSwath_m : kPass_m)))
+    if (piece.record().kind != "swath" || !piece.straight()) continue;
+    const double off = border.distance_m(worked(plan.vehicle.machine, piece));
+    if (!(off >= margin - kMargin_m))
       plan.findings.add("edge_margin", ground->block, piece.spot(0).at, {off, margin},
                         piece_name(driven, i) + " works " + shown(off, 3) + " m from the border; " +
                             shown(margin, 3) + " m are to be kept from it");

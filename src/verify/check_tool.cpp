@@ -76,7 +76,7 @@ class ToolCheck {
   }
 
   void say(const char* code, std::size_t i, Measured span, const std::string& what) {
-    if (span.measure >= span.limit - kSlack_s) return;
+    if (span.limit == 0 || span.measure >= span.limit - kSlack_s) return;
     plan_.findings.add(code, driven_.record->block, driven_.pieces[i].spot(0).at, span,
                        "the tool has " + shown(span.measure, 2) + " s " + what + " " +
                            piece_name(driven_, i) + "; it takes " + shown(span.limit, 2) + " s");

@@ -159,7 +159,7 @@ double farthest_m(const Shape& shape, const Shape& from) {
 }
 
 Prepared::Prepared(Shape shape)
-    : shape_{std::move(shape)},
+    : shape_{shape ? std::move(shape) : united({})},
       prepared_{GEOSPrepare_r(handle(), shape_.get()), [](const GEOSPreparedGeometry* p) {
                   if (p != nullptr) GEOSPreparedGeom_destroy_r(handle(), p);
                 }} {}
