@@ -73,6 +73,16 @@ Tally check_all(const std::filesystem::path& file, HeadlandCorners corners) {
 
 }  // namespace
 
+TEST_CASE("a search may end before it has come to where it sets out", "[plan]") {
+  if (skipped()) return;
+  const Job job = job_of(settings_of_toml(
+      "[machine]\npreset = \"husky\"\nmay_pivot = true\n[headland]\ncorners = \"fill\"\n", "test"));
+  std::istringstream nothing;
+  Tally tally;
+  check(read_fields(kPublic / "curved_ribbon_nl.geojson", {}, nothing).at(0), job, tally);
+  CHECK(tally.planned == 1);
+}
+
 TEST_CASE("small real fields are planned without a fault, partly or not at all only where narrow", "[plan]") {
   if (skipped()) return;
   const auto name = GENERATE("quad_nz", "parallelogram_at", "l_shape_kh", "l_thin_arm_fi", "c_shape_nz",

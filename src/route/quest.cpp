@@ -113,7 +113,9 @@ void Quest::expand(const Frontier::Entry& next) {
   }
 }
 
+/// A place to set out from need not have come up yet.
 Path Quest::way_to(std::size_t node) const {
+  if (node >= roads_.size() && node < first_goal()) return starts_[node - roads_.size()].retreat.path;
   Path way;
   for (const Link* link : frontier_.way_to(node)) append(way, at_its_fastest(terrain_, *link));
   return way;
