@@ -36,6 +36,17 @@ TEST_CASE("an area whose corners lie a metre apart or more stays as it is", "[ge
   CHECK(evened_area.stray_m == 0);
 }
 
+TEST_CASE("a thousand and more corners are evened out where they lie closer than 3 m", "[geometry]") {
+  Ring border = circle(600, 1800);
+  for (std::size_t i = 0; i < border.size(); i += 2) border[i] = (1 + 0.02 / 600) * border[i];
+  const Evened many = evened({border, {}});
+  CHECK(many.area.shell.size() < 1260);
+  CHECK(many.stray_m > 0.01);
+  CHECK(many.stray_m <= 0.1);
+  border.resize(900);  // half of it: as close, but few
+  CHECK(evened({border, {}}).stray_m == 0);
+}
+
 TEST_CASE("corners close together are evened out by no more than is said", "[geometry]") {
   const Polygon area{circle(100, 6000), {circle(20, 1500)}};
   const Evened evened_area = evened(area);

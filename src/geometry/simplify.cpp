@@ -69,9 +69,11 @@ Polygon simplified(const Polygon& area, double tolerance_m) {
 }
 
 Evened evened(const Polygon& area) {
-  constexpr double kApart_m = 4;
-  constexpr auto kStrays_m = std::to_array({0.001, 0.005, 0.01, 0.02, 0.05, 0.1});
-  const double most = perimeter_m(area) / kApart_m;
+  constexpr std::size_t kMany = 1000;  // corners: so many take long
+  constexpr double kApart_m = 1;
+  constexpr double kApartOfMany_m = 3;
+  constexpr auto kStrays_m = std::to_array({0.005, 0.01, 0.02, 0.05, 0.1});
+  const double most = perimeter_m(area) / (corner_count(area) > kMany ? kApartOfMany_m : kApart_m);
   Evened out{area, 0};
   for (const double stray_m : kStrays_m) {
     if (static_cast<double>(corner_count(out.area)) <= most) break;

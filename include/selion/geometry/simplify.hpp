@@ -18,8 +18,9 @@ struct Evened {
   Polygon area;
   double stray_m = 0;
 };
-/// Where corners lie closer together than 4 m on average, which is no border that a machine follows but noise
-/// or a drawn curve: simplified by as little as leaves fewer, at most 0.1 m. Else the area as it is.
+/// Where corners lie closer together than a metre on average, or a thousand and more closer than 3 m, as
+/// noise and drawn curves have them: simplified by as little as leaves fewer, at most 0.1 m. Else the area as
+/// it is.
 Evened evened(const Polygon& area);
 
 }  // namespace selion
