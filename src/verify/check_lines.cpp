@@ -20,6 +20,11 @@ struct Stint {
 };
 using Key = std::pair<int, std::string>;
 
+/// A way between pieces of work may name none.
+bool is_on_a_line(const PieceRecord& piece) {
+  return !piece.ref.empty() || (piece.kind != "turn" && piece.kind != "transfer" && piece.kind != "pivot");
+}
+
 std::map<Key, std::vector<Stint>> stints_of(const Case& plan) {
   std::map<Key, std::vector<Stint>> stints;
   for (const Driven& driven : plan.drives) {
@@ -27,8 +32,7 @@ std::map<Key, std::vector<Stint>> stints_of(const Case& plan) {
     for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
       const PieceRecord& piece = driven.pieces[i].record();
       if (piece.kind == "wait") continue;
-      const bool way = piece.kind == "turn" || piece.kind == "transfer" || piece.kind == "pivot";
-      if (!piece.ref.empty() || !way) {
+      if (is_on_a_line(piece)) {
         auto& all = stints[{driven.record->block, piece.ref}];
         if (all.empty() || piece.ref != before) all.push_back({&driven, i, i});
         all.back().last = i;
