@@ -169,6 +169,15 @@ TEST_CASE("strips left of an AB line are counted and lie where width, overlap an
   CHECK(text_of(verify(plan, std::nullopt)) == "");
 }
 
+TEST_CASE("only the gate that is driven through has to be wide enough", "[verify]") {
+  PlanFile plan = written(sample("gates_obstacles.geojson"), "[route]\nstart = \"gate:2\"\n");
+  REQUIRE(plan.gates.size() == 2);
+  plan.gates[0].width_m = 1;
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+  std::swap(plan.gates[0].width_m, plan.gates[1].width_m);
+  CHECK(text_of(verify(plan, std::nullopt)) != "");
+}
+
 TEST_CASE("a robot that pivots into another one is found", "[verify]") {
   PlanFile plan = written(small_field(), "[machine]\npreset = \"husky\"\nsafety_gap_m = 0.1\n");
   const double north_m = GENERATE(0.95, 1.2);  // at 0.95 m its corner comes within 2 cm

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "check.hpp"
 #include "taken_apart.hpp"
@@ -70,19 +71,28 @@ double nearest_m(const Prepared& to, const std::vector<Point>& outline) {
   return std::min(body, to.distance_m(std::span{outline}.last(2)));
 }
 
-void add_approaches(std::vector<Candidate>& all, const Case& plan, const Driven& driven,
-                    const Ground& ground) {
+/// All places nearer than `near_m`, and some others: by as far as it is to what stands around, less what the
+/// body reaches round the axle, nothing can come near.
+void add_approaches(std::vector<Candidate>& all, const Case& plan, const Driven& driven, const Ground& ground,
+                    double near_m) {
   constexpr double kStep_m = 0.5;
   const Surroundings surroundings = around(ground);
+  double reach_m = 0;
+  for (const Point corner : outline_at(plan.vehicle.machine, {}))
+    reach_m = std::max(reach_m, length_m(corner));
   const int steps = std::max(1, static_cast<int>(std::ceil(driven.whole_m() / kStep_m)));
-  for (int i = 0; i <= steps; ++i) {
+  for (int i = 0; i <= steps;) {
     const double way = driven.whole_m() * i / steps;
     const Stop here = driven.stop(way);
     const Pose pose = driven.pieces[here.piece].vehicle(here.s_m);
     const auto outline = outline_at(plan.vehicle.machine, pose);
-    all.push_back({nearest_m(surroundings.border, outline), pose.at, way, &driven, here.piece, false});
-    if (surroundings.obstacles)
+    double nearest = nearest_m(surroundings.border, outline);
+    all.push_back({nearest, pose.at, way, &driven, here.piece, false});
+    if (surroundings.obstacles) {
       all.push_back({nearest_m(*surroundings.obstacles, outline), pose.at, way, &driven, here.piece, true});
+      nearest = std::min(nearest, all.back().measure_m);
+    }
+    i += static_cast<int>(std::clamp((nearest - near_m - reach_m) / kStep_m, 1.0, 1.0 + steps));
   }
 }
 
@@ -96,6 +106,20 @@ void add_bends(std::vector<Candidate>& all, const Driven& driven) {
     all.push_back({1 / piece.most_curvature_per_m(), piece.spot(s).at, driven.begin_m[i] + piece.driven_m(s),
                    &driven, i, false});
   }
+}
+
+/// Near places first: only where these are too few are all others looked at.
+std::vector<Candidate> closest_approaches(const Case& plan) {
+  std::vector<Candidate> kept;
+  for (const double near_m : {2.0, std::numeric_limits<double>::infinity()}) {
+    std::vector<Candidate> all;
+    for (const Driven& driven : plan.drives)
+      if (const Ground* ground = plan.ground(driven.record->block))
+        add_approaches(all, plan, driven, *ground, near_m);
+    kept = spread_out(std::move(all));
+    if (kept.size() == kMost && kept.back().measure_m <= near_m) break;
+  }
+  return kept;
 }
 
 WatchPlace place_of(const Case& plan, const Candidate& c, std::string what) {
@@ -113,16 +137,13 @@ WatchList watch_list(const PlanFile& plan) {
   TakenApart taken{plan};
   if (!taken.usable()) return {};
   Case& apart = taken.plan();
-  std::vector<Candidate> approaches;
   std::vector<Candidate> bends;
   for (Driven& driven : apart.drives) {
     check_samples(apart, driven);
-    if (const Ground* ground = apart.ground(driven.record->block))
-      add_approaches(approaches, apart, driven, *ground);
     add_bends(bends, driven);
   }
   WatchList list;
-  for (const Candidate& c : spread_out(std::move(approaches)))
+  for (const Candidate& c : closest_approaches(apart))
     list.closest.push_back(place_of(apart, c, c.obstacle ? "obstacle" : "border"));
   for (const Candidate& c : spread_out(std::move(bends))) {
     const PieceRecord& piece = c.driven->pieces[c.piece].record();
