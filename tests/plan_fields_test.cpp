@@ -266,3 +266,15 @@ TEST_CASE("the same field and job give the same bytes", "[plan]") {
   CHECK(to_geojson(once->file) == to_geojson(again->file));
   CHECK(to_geojson(plan_from_geojson(to_geojson(once->file), "test")) == to_geojson(once->file));
 }
+
+TEST_CASE("an obstacle beside a field that falls into blocks is named in the plan that keeps off it",
+          "[plan]") {
+  Field field = field_of_metres({{{{0, 0}, {60, 0}, {31, 40}, {60, 80}, {0, 80}, {29, 40}}, {}}});
+  const Field pole = field_of_metres({{{{29.5, -1}, {30.5, -1}, {30.5, -0.5}, {29.5, -0.5}}, {}}});
+  field.obstacles.push_back({"pole", ObstacleKind::obstacle, pole.parts.at(0)});
+  const auto planned = plan(field, Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  REQUIRE(planned->blocks.size() > 1);
+  REQUIRE(planned->file.obstacles.size() == 1);
+  CHECK(planned->file.obstacles.front().name == "pole");
+}

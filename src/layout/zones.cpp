@@ -53,6 +53,25 @@ bool leads_into(const BlockGate& gate, const Polygon& zone) {
   return contains(zone, gate.at + kInside_m * unit(gate.inward_rad));
 }
 
+/// Obstacles beside the block that no zone touches, each to the zone next to it: that keeps off it.
+void add_obstacles_beside(const Block& block, std::vector<Block>& zones) {
+  constexpr double kFarthest_m = 100;
+  for (const BlockObstacle& obstacle : block.obstacles) {
+    const auto within = [&obstacle](double far_m) {
+      const Polygons around = outset_round({obstacle.area}, far_m);
+      return [around](const Block& zone) { return !intersect(around, {zone.area}).empty(); };
+    };
+    if (std::ranges::any_of(zones, [&](const Block& zone) { return touches(obstacle.area, zone.area); }))
+      continue;
+    for (double far_m = 1; far_m < kFarthest_m; far_m *= 2) {
+      const auto next = std::ranges::find_if(zones, within(far_m));
+      if (next == zones.end()) continue;
+      next->obstacles.push_back(obstacle);
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Block> zones_of(const Block& block, const Machine& machine) {
@@ -78,6 +97,7 @@ std::vector<Block> zones_of(const Block& block, const Machine& machine) {
                   [&](const BlockObstacle& obstacle) { return !touches(obstacle.area, area); });
     zones.push_back(std::move(zone));
   }
+  add_obstacles_beside(block, zones);
   return zones;
 }
 
