@@ -55,7 +55,6 @@ bool leads_into(const BlockGate& gate, const Polygon& zone) {
 
 /// Obstacles beside the block that no zone touches, each to the zone next to it: that keeps off it.
 void add_obstacles_beside(const Block& block, std::vector<Block>& zones) {
-  constexpr double kFarthest_m = 100;
   for (const BlockObstacle& obstacle : block.obstacles) {
     const auto within = [&obstacle](double far_m) {
       const Polygons around = outset_round({obstacle.area}, far_m);
@@ -63,7 +62,7 @@ void add_obstacles_beside(const Block& block, std::vector<Block>& zones) {
     };
     if (std::ranges::any_of(zones, [&](const Block& zone) { return touches(obstacle.area, zone.area); }))
       continue;
-    for (double far_m = 1; far_m < kFarthest_m; far_m *= 2) {
+    for (const double far_m : {1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
       const auto next = std::ranges::find_if(zones, within(far_m));
       if (next == zones.end()) continue;
       next->obstacles.push_back(obstacle);

@@ -60,6 +60,7 @@ std::vector<const GateRecord*> gates_used(const Case& plan) {
     if (start.empty() || gate.name == wanted || number == wanted) used.try_emplace(gate.block, &gate);
   }
   std::vector<const GateRecord*> gates;
+  gates.reserve(used.size());
   for (const auto& [block, gate] : used) gates.push_back(gate);
   return gates;
 }
