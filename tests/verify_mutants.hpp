@@ -31,6 +31,17 @@ struct Mutation {
   std::function<bool(PlanFile& plan, Dice& dice)> apply;  ///< false where the plan has nothing of the kind
 };
 
+/// Changes one of the records.
+template <class Record, class Change>
+std::function<bool(PlanFile&, Dice&)> to_one(std::vector<Record> PlanFile::*records, Change change) {
+  return [=](PlanFile& plan, Dice& dice) {
+    auto& all = plan.*records;
+    if (all.empty()) return false;
+    change(all[dice.pick(all.size())], dice);
+    return true;
+  };
+}
+
 std::span<const Mutation> mutations_of_pieces();
 std::span<const Mutation> mutations_of_samples();
 std::span<const Mutation> mutations_of_records();

@@ -7,22 +7,21 @@
 namespace selion {
 namespace {
 
-template <class Record, class Change>
-std::function<bool(PlanFile&, Dice&)> to_one(std::vector<Record> PlanFile::*records, Change change) {
-  return [=](PlanFile& plan, Dice& dice) {
-    auto& all = plan.*records;
-    if (all.empty()) return false;
-    change(all[dice.pick(all.size())], dice);
-    return true;
-  };
-}
-
 template <class Record>
 std::function<bool(PlanFile&, Dice&)> without(std::vector<Record> PlanFile::*records) {
   return [=](PlanFile& plan, Dice&) {
     (plan.*records).clear();
     return true;
   };
+}
+
+bool leave_headland(PlanFile& plan, Dice&) {
+  const std::string headland = R"("headland":{)";
+  const std::size_t table = plan.job_json.find(headland);
+  const std::size_t from = plan.job_json.find(R"("order":")", table);
+  if (table == std::string::npos || from == std::string::npos) return false;
+  plan.job_json.replace(from, plan.job_json.find_first_of(",}", from) - from, R"("order":"none")");
+  return true;
 }
 
 /// Another value for a key of the job, where it has none of `unless`.
@@ -132,6 +131,7 @@ const std::vector<Mutation>& of_layout() {
       {"edit the headland's passes", {"headland"}, to_one(&P::headlands, [](auto& h, Dice&) { ++h.passes; })},
       {"another ring of a pass", {"headland"}, to_one(&P::headland_passes, [](auto& p, Dice&) { ++p.ring; })},
       {"drop the headland", {"headland"}, without(&P::headlands)},
+      {"leave the headland unworked", {"headland"}, leave_headland},
       {"ask for more passes", {"headland"}, job("passes", "9")},
       {"ask for more overlap", {"swath_spacing"}, job("overlap_m", "0.12")},
       {"keep farther from the border", {"edge_margin", "headland"}, job("edge_margin_m", "0.6")},

@@ -13,16 +13,6 @@ double either(Dice& dice, double least, double most) {
   return dice.between(least, most) * (dice.pick(2) == 0 ? 1 : -1);
 }
 
-template <class Record, class Change>
-std::function<bool(PlanFile&, Dice&)> to_one(std::vector<Record> PlanFile::*records, Change change) {
-  return [=](PlanFile& plan, Dice& dice) {
-    auto& all = plan.*records;
-    if (all.empty()) return false;
-    change(all[dice.pick(all.size())], dice);
-    return true;
-  };
-}
-
 template <class Record>
 std::function<bool(PlanFile&, Dice&)> without_one(std::vector<Record> PlanFile::*records) {
   return [=](PlanFile& plan, Dice& dice) {

@@ -146,8 +146,8 @@ std::optional<Driver::Approach> Driver::straight_into(const std::vector<Goal>& g
   return std::nullopt;
 }
 
-/// The cheapest of: one turn; where that is a long one, the roads; where these lead a long way too, a turn at
-/// lower speed; where there is none of all these, any turn; where the way leads far round, a search.
+/// One turn; where that is a long one, a turn at lower speed; where that is long too, the cheaper of the turn
+/// and the roads; where there is none of all these, any turn; where the way leads far round, a search.
 std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals) {
   if (auto straight = straight_into(goals)) return straight;
   std::optional<Approach> best = turn_into(goals);

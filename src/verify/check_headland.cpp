@@ -145,6 +145,9 @@ void check_headlands(Case& plan) {
     const auto count = std::ranges::count_if(plan.plan.headlands, of_block);
     const auto headland = std::ranges::find_if(plan.plan.headlands, of_block);
     const bool passes = std::ranges::any_of(plan.plan.headland_passes, of_block);
+    if (passes && plan.vehicle.work.headland_order == "none")
+      plan.findings.add("headland", ground.block, std::nullopt, {},
+                        "the block has headland passes; the job has its headland left unworked");
     if (count > 1 || (count == 0 && passes))
       plan.findings.add("headland", ground.block, std::nullopt, {1.0 * static_cast<double>(count), 1},
                         "the block has headland passes and no headland, or several headlands");

@@ -37,15 +37,11 @@ class ToolCheck {
         std::ranges::lower_bound(driven_.moments, driven_.begin_m[i] - kNear_m, {}, &Moment::way_m);
     return at == driven_.moments.end() ? driven_.moments.back().t_s : at->t_s;
   }
-  [[nodiscard]] double departure_s(std::size_t i) const {
-    const auto past =
-        std::ranges::upper_bound(driven_.moments, driven_.begin_m[i] + kNear_m, {}, &Moment::way_m);
-    return past == driven_.moments.begin() ? past->t_s : (past - 1)->t_s;
-  }
+  [[nodiscard]] double leaving_s(std::size_t i) const { return departure_s(driven_, driven_.begin_m[i]); }
 
   /// A pivot begins when what is waited before it is over.
   [[nodiscard]] double begin_s(std::size_t i) const {
-    if (!pivots(i)) return departure_s(i);
+    if (!pivots(i)) return leaving_s(i);
     double begin = arrival_s(i);
     for (std::size_t k = i; k > 0 && driven_.pieces[k - 1].stands(); --k)
       begin += driven_.pieces[k - 1].record().duration_s.value_or(0);
@@ -65,7 +61,7 @@ class ToolCheck {
   }
 
   void lowered(std::size_t i) {
-    const double begin = departure_s(i);
+    const double begin = leaving_s(i);
     say("tool_lowering", i, {begin - lowering_from_s(i), machine_.tool_lower_s}, "to be lowered before");
     if (up_s_ && !risen_) risen(i, begin - machine_.tool_lower_s);
   }

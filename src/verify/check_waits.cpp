@@ -15,13 +15,6 @@ const Driven* trajectory_of(const Case& plan, int block, int robot) {
   return nullptr;
 }
 
-/// When the robot goes on from where piece i begins.
-double departure_s(const Driven& driven, std::size_t i) {
-  constexpr double kNear_m = 1e-3;
-  const auto past = std::ranges::upper_bound(driven.moments, driven.begin_m[i] + kNear_m, {}, &Moment::way_m);
-  return past == driven.moments.begin() ? past->t_s : (past - 1)->t_s;
-}
-
 /// What is wrong with a wait for another robot; empty where that one comes by before it ends.
 std::string trouble_of(const Case& plan, const Driven& driven, std::size_t i) {
   const PieceRecord& wait = driven.pieces[i].record();
@@ -34,7 +27,7 @@ std::string trouble_of(const Case& plan, const Driven& driven, std::size_t i) {
     return " waits for ever: " + robot + " drives " + shown(other->whole_m(), 1) + " m, not " +
            shown(station, 1) + " m";
   if (driven.moments.empty() || other->moments.empty()) return "";
-  const double end = departure_s(driven, i);
+  const double end = departure_s(driven, driven.begin_m[i]);
   const double passes = time_s(*other, station);
   if (passes <= end + kSlack_s) return "";
   return " ends at " + shown(end, 1) + " s; " + robot + " comes to " + shown(station, 1) + " m only at " +

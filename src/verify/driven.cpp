@@ -127,6 +127,12 @@ double time_s(const Driven& driven, double way_m) {
   return a.t_s + (mean > 0 ? std::min(1.0, share * (a.speed_mps + after->speed_mps) / 2 / mean) * span : 0);
 }
 
+double departure_s(const Driven& driven, double way_m) {
+  constexpr double kNear_m = 1e-3;  // of a place: the sample stands there
+  const auto past = std::ranges::upper_bound(driven.moments, way_m + kNear_m, {}, &Moment::way_m);
+  return past == driven.moments.begin() ? past->t_s : (past - 1)->t_s;
+}
+
 double way_m(const Driven& driven, double t_s) {
   const auto& moments = driven.moments;
   const auto after =

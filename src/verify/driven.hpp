@@ -82,6 +82,8 @@ Driven driven_of(const TrajectoryRecord& record);
 /// When the robot has come that far, and how far it has come by then; by constant acceleration between
 /// moments. @pre there are moments.
 double time_s(const Driven& driven, double way_m);
+/// When it goes on from there, where it may rest.
+double departure_s(const Driven& driven, double way_m);
 double way_m(const Driven& driven, double t_s);
 
 }  // namespace selion::verifying
