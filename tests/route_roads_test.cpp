@@ -86,3 +86,34 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
     }
   CHECK(faster > 0);
 }
+
+TEST_CASE("what one search has learned of the ground leads the next one nowhere else", "[route]") {
+  // out of a yard through a gap and round a corner
+  const Ground ground{Polygon{{{0, 0},
+                               {40, 0},
+                               {40, 14},
+                               {44, 14},
+                               {44, 0},
+                               {70, 0},
+                               {70, 30},
+                               {44, 30},
+                               {44, 18},
+                               {40, 18},
+                               {40, 30},
+                               {0, 30}},
+                              {}}};
+  const std::vector<Pose> from{{{10, 6}, kPi}};
+  KnownGround known;
+  for (const Pose& goal : {Pose{{60, 22}, kPi / 2}, Pose{{58, 6}, kPi}, Pose{{60, 22}, -kPi / 2}}) {
+    KnownGround nothing;
+    const auto fresh = searched(ground.terrain, from, {goal}, nothing);
+    REQUIRE(fresh);
+    CHECK(stays_inside(ground.space, ground.terrain.footprint, fresh->arrival.way));
+    for (int again = 0; again < 2; ++again) {
+      const auto found = searched(ground.terrain, from, {goal}, known);
+      REQUIRE(found);
+      CHECK(found->arrival.way == fresh->arrival.way);
+    }
+  }
+  CHECK(!known.moves.empty());
+}
