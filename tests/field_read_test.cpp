@@ -313,3 +313,15 @@ TEST_CASE("reading leaves nothing beside the file", "[field][read]") {
   const auto folder = std::filesystem::directory_iterator{file.path().parent_path()};
   CHECK(std::distance(begin(folder), end(folder)) == 1);
 }
+
+TEST_CASE("standard input that does not end is refused", "[field][read]") {
+  struct Endless : std::streambuf {
+    std::string blanks = std::string(1U << 16U, ' ');
+    int underflow() override {
+      setg(blanks.data(), blanks.data(), blanks.data() + blanks.size());
+      return traits_type::to_int_type(blanks.front());
+    }
+  } endless;
+  std::istream stream{&endless};
+  CHECK_THROWS_WITH(read_fields("-", {}, stream), Catch::Contains("does not end within 256 MB"));
+}

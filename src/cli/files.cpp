@@ -16,9 +16,13 @@ std::string text_of_file(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, ignored))
     throw InputError{file.string() + ": is a folder, not a file"};
   refuse_endless(file);
+  if (const auto size = std::filesystem::file_size(file, ignored); !ignored && size > kLargestFile_bytes)
+    throw InputError{file.string() + " is larger than 2 GB; no plan and no job is"};
   errno = 0;
   std::ifstream stream{file, std::ios::binary};
-  std::string text{std::istreambuf_iterator<char>{stream}, {}};
+  std::string text = std::filesystem::is_regular_file(file, ignored)
+                         ? std::string{std::istreambuf_iterator<char>{stream}, {}}
+                         : text_of_stream(stream, file.string());
   if (!stream.is_open() || stream.bad())
     throw InputError{file.string() + ": cannot be read: " + std::generic_category().message(errno)};
   return text;

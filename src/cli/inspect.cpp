@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 
@@ -15,6 +14,7 @@
 #include "files.hpp"
 #include "options.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/input_file.hpp"
 #include "terminal.hpp"
 
 namespace selion::cli {
@@ -43,7 +43,7 @@ bool is_plan(const std::string& text) {
 
 /// The text of a file that may be a plan: GeoJSON, or what comes on standard input.
 std::optional<std::string> text_to_try(const std::string& file) {
-  if (file == "-") return std::string{std::istreambuf_iterator<char>{std::cin}, {}};
+  if (file == "-") return text_of_stream(std::cin, "standard input");
   std::error_code ignored;
   const std::string ending = std::filesystem::path{file}.extension().string();
   const bool may_be =

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 
 #include <CLI/CLI.hpp>
 
@@ -53,8 +52,7 @@ int run_verify(const VerifyOptions& options) {
   const std::optional<GivenField> given = given_field(options);
   const bool piped = options.plan == "-";
   const std::string where = piped ? "standard input" : options.plan;
-  const std::string text =
-      piped ? std::string{std::istreambuf_iterator<char>{std::cin}, {}} : text_of_file(options.plan);
+  const std::string text = piped ? text_of_stream(std::cin, where) : text_of_file(options.plan);
   if (text.empty()) throw InputError{where + " is empty; give a plan.geojson"};
   const PlanFile plan = plan_from_geojson(text, where);
   const Verdict verdict = verify(plan, given);

@@ -24,4 +24,16 @@ void refuse_endless(const std::filesystem::path& path) {
                    ", which may never end; give a file, or for a field or plan -, standard input"};
 }
 
+std::string text_of_stream(std::istream& stream, const std::string& label) {
+  constexpr std::size_t kSome_bytes = 1U << 16U;
+  std::string text;
+  std::string some(kSome_bytes, '\0');
+  while (stream.read(some.data(), static_cast<std::streamsize>(some.size())), stream.gcount() > 0) {
+    text.append(some, 0, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kLongestStream_bytes)
+      throw InputError{label + " does not end within 256 MB; give what is longer as a file"};
+  }
+  return text;
+}
+
 }  // namespace selion

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "selion/core/error.hpp"
+#include "selion/core/input_file.hpp"
 
 namespace selion {
 

@@ -6,8 +6,6 @@
 
 namespace selion {
 
-constexpr unsigned long long kLargestFile_bytes = 1ULL << 31U;
-
 /// A whole file. @throws InputError, calling it `label`, where it cannot be read or is beyond 2 GB.
 std::string file_bytes(const std::filesystem::path& path, const std::string& label);
 

@@ -9,6 +9,7 @@
 
 #include "file_bytes.hpp"
 #include "gdal_library.hpp"
+#include "selion/core/input_file.hpp"
 
 namespace selion {
 namespace {

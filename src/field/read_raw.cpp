@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <iterator>
-
 #include "file_bytes.hpp"
 #include "raw.hpp"
 #include "selion/core/error.hpp"
@@ -11,7 +9,7 @@ namespace selion {
 namespace {
 
 RawFile read_stream(std::istream& standard_input) {
-  const std::string text{std::istreambuf_iterator<char>{standard_input}, {}};
+  const std::string text = text_of_stream(standard_input, "standard input");
   if (text.empty()) throw InputError{"standard input is empty; give the field as GeoJSON"};
   return read_json(text, "standard input", "field");
 }
