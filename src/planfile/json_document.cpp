@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "json_document.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -83,6 +84,11 @@ class ValueReader : public nlohmann::json_sax<Json> {
 
 JsonDocument::JsonDocument(const std::string& text, const std::string& where)
     : where_{std::make_shared<const std::string>(where)} {
+  parse(text, where);
+  refuse_repeated_keys();
+}
+
+void JsonDocument::parse(const std::string& text, const std::string& where) {
   if (auto plain = plain_values(text)) {
     values_ = *std::move(plain);
     return;
@@ -95,6 +101,20 @@ JsonDocument::JsonDocument(const std::string& text, const std::string& where)
   const std::string end = byte > text.size() ? " (the end of the file: it is cut short)" : "";
   throw InputError{where + ": byte " + std::to_string(byte) + end +
                    ": this is not JSON; plan the field anew, or fetch the file again"};
+}
+
+void JsonDocument::refuse_repeated_keys() const {
+  std::vector<const JsonValue*> members;
+  for (const JsonValue& value : values_) {
+    if (value.kind != JsonKind::object) continue;
+    members.clear();
+    for (const JsonValue* member = &value + 1; member != &value + value.all; member += member->all)
+      members.push_back(member);
+    std::ranges::stable_sort(members, {}, &JsonValue::key);
+    const auto twice = std::ranges::adjacent_find(members, {}, &JsonValue::key);
+    if (twice != members.end())
+      JsonNode{*(twice + 1), values_.data(), where_}.fail("is there twice; no plan file has a key twice");
+  }
 }
 
 std::string named(const JsonValue& value) {

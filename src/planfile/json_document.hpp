@@ -14,7 +14,8 @@ namespace selion {
 class JsonDocument {
  public:
   /// Of a text that outlives it.
-  /// @throws InputError where `text` is not JSON, naming `where` and the byte.
+  /// @throws InputError where `text` is not JSON, naming `where` and the byte, or where an object has a key
+  /// twice: readers differ in which one they take.
   JsonDocument(const std::string& text, const std::string& where);
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
@@ -25,6 +26,9 @@ class JsonDocument {
   [[nodiscard]] JsonNode root() const { return {values_.data(), values_.data(), where_}; }
 
  private:
+  void parse(const std::string& text, const std::string& where);
+  void refuse_repeated_keys() const;
+
   std::shared_ptr<const std::string> where_;
   std::vector<JsonValue> values_;
   std::deque<std::string> texts_;  ///< that do not stand in the file as they are meant

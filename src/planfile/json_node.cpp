@@ -72,7 +72,7 @@ std::optional<JsonNode> JsonNode::find(std::string_view key) const {
   must_be(value_->kind == JsonKind::object, "an object");
   const JsonValue* member = nullptr;
   for_each_in(*value_, [&](const JsonValue& value) {
-    if (value.key == key) member = &value;  // of several the last one
+    if (value.key == key) member = &value;
   });
   if (member == nullptr) return std::nullopt;
   return item(*member);

@@ -161,17 +161,26 @@ void read_header(const JsonNode& root, std::string_view raw, PlanFile& plan) {
   plan.warnings = texts(header->at("warnings"));
 }
 
+/// A coordinate system of GeoJSON's old draft, which RFC 7946 knows no more: where a reader takes it, the
+/// plan lies elsewhere.
+void refuse_crs(const JsonNode& node) {
+  if (const auto crs = node.find("crs"))
+    crs->fail("names a coordinate system; a plan is in WGS84, longitude first, and has no such member");
+}
+
 }  // namespace
 
 PlanFile plan_from_geojson(const std::string& text, const std::string& where) {
   const JsonDocument document{text, where};
   const JsonNode root = document.root();
   if (root.at("type").text() != "FeatureCollection") root.at("type").fail("must be \"FeatureCollection\"");
+  refuse_crs(root);
   PlanFile plan;
   read_header(root, raw_member(text, "selion"), plan);
   int number = 0;
   for (const JsonNode& feature : root.at("features").items()) {
     const std::string place = where + ": feature " + std::to_string(++number);
+    refuse_crs(feature.called(place));
     read_feature(feature.called(place), place, plan);
   }
   return plan;
