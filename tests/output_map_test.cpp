@@ -166,6 +166,9 @@ TEST_CASE("no text overlaps another or leaves the page", "[output][map]") {
       text.assumptions.push_back("Assumption " + std::to_string(i) + " of eighty, long enough to wrap once.");
     for (int i = 0; i < 40; ++i)
       text.warnings.push_back("Warning " + std::to_string(i) + ": part of the field is too small.");
+    for (int i = 0; i < 60; ++i)
+      text.notes.push_back("Note " + std::to_string(i) + " of sixty, " +
+                           std::string(static_cast<std::size_t>(i), 'n') + " and so on.");
     for (int i = 0; i < 90; ++i) text.data.emplace_back("Figure " + std::to_string(i), "1.00 ha");
     const std::string svg = map_files(two_blocks(), text, kA4).svg;
     check_texts(svg);
@@ -177,6 +180,22 @@ TEST_CASE("no text overlaps another or leaves the page", "[output][map]") {
     empty.origin = {3.43, 46.33};
     check_texts(map_files(empty, {}, kA4).svg);
   }
+}
+
+TEST_CASE("notes stand on the map, long ones cut, many counted", "[output][map]") {
+  MapText text = sample_text();
+  text.notes = {"Block 1: It is planned with 1 headland pass instead of the 2 that turns need."};
+  const auto panel = [&] {
+    return words_in(parsed(map_files(two_blocks(), text, kA4).svg), in_group("panel"));
+  };
+  CHECK(panel().find("Notes") != std::string::npos);
+  CHECK(panel().find("planned with 1 headland") != std::string::npos);
+  CHECK(panel().find("more: see") == std::string::npos);
+  for (int i = 0; i < 30; ++i)
+    text.notes.push_back(std::string(400, static_cast<char>('a' + i % 26)) + " end");
+  CHECK(panel().find("more: see") != std::string::npos);
+  CHECK(panel().find("\u2026") != std::string::npos);
+  CHECK(panel().find("planned with 1 headland") != std::string::npos);
 }
 
 TEST_CASE("the first and last swath are numbered, and every number lies inside the frame", "[output][map]") {

@@ -112,3 +112,10 @@ TEST_CASE("assumptions and warnings come with the map", "[output][map_text]") {
   CHECK(text.warnings == reported_plan().file.warnings);
   CHECK_FALSE(text.date.has_value());
 }
+
+TEST_CASE("the map says notes, those of planning before those of reading", "[output][map_text]") {
+  Plan plan = reported_plan();
+  plan.notes = {"1 spike removed", "Block 1: it starts 15 degrees askew", "2 corners dropped"};
+  CHECK(map_text(plan, Job{}).notes == std::vector<std::string>{"Block 1: it starts 15 degrees askew",
+                                                                "1 spike removed", "2 corners dropped"});
+}

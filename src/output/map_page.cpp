@@ -23,15 +23,16 @@ struct Budget {
   std::size_t warnings;
   std::size_t letters;  ///< of a warning
   std::size_t data;
+  std::size_t note_lines;
   std::size_t assumptions;
 };
 constexpr std::size_t kAll = 1'000'000;
-constexpr std::array<Budget, 6> kBudgets{{{kAll, kAll, kAll, kAll},
-                                          {kAll, kAll, kAll, 8},
-                                          {kAll, kAll, kAll, 4},
-                                          {10, 400, 30, 3},
-                                          {6, 250, 20, 1},
-                                          {4, 150, 10, 0}}};
+constexpr std::array<Budget, 6> kBudgets{{{kAll, kAll, kAll, 16, kAll},
+                                          {kAll, kAll, kAll, 16, 8},
+                                          {kAll, kAll, kAll, 12, 4},
+                                          {10, 400, 30, 8, 3},
+                                          {6, 250, 20, 4, 1},
+                                          {4, 150, 10, 1, 0}}};
 
 enum class PanelSide { below, beside };
 struct Sheet {
@@ -161,6 +162,7 @@ class Composer {
     layout.foot = foot_items(content_.plan, font_, width_mm);
     layout.foot_top_mm = layout.content.bottom_mm - height_of(layout.foot);
     layout.data_shown = budget.data;
+    layout.note_lines_shown = budget.note_lines;
     layout.assumptions_shown = budget.assumptions;
     layout.panel_columns =
         sheet.side == PanelSide::beside ? 1 : static_cast<int>((width_mm + kColumnGap_mm) / 62);
@@ -192,6 +194,7 @@ std::vector<PanelItem> panel_items(const Font& font, const MapText& text,
   }
   std::vector<PanelItem> items = legend_items(font, legend, layout.column_mm);
   for (auto& more : {data_items(font, shown, layout.column_mm),
+                     note_items(font, text.notes, layout.note_lines_shown, layout.column_mm),
                      assumption_items(font, shown, layout.assumptions_shown, layout.column_mm)})
     items.insert(items.end(), more.begin(), more.end());
   return items;

@@ -17,10 +17,11 @@ struct PageLayout {
   double foot_top_mm = 0;
   PageBox frame;  ///< of the map
   PageBox scale;  ///< scale bars and north arrow
-  PageBox panel;  ///< legend, figures, assumptions
+  PageBox panel;  ///< legend, figures, notes, assumptions
   int panel_columns = 1;
   double column_mm = 60;
   std::size_t data_shown = 0;
+  std::size_t note_lines_shown = 0;
   std::size_t assumptions_shown = 0;
   double scale_denominator = 1000;
 };

@@ -70,13 +70,30 @@ PanelItem data_item(const Font& font, const std::pair<std::string, std::string>&
           }};
 }
 
-PanelItem bullet(const Font& font, const std::string& text, double width_mm) {
-  const Lines lines = font.wrapped(text, kBody, width_mm - kIndent_mm);
+PanelItem bullet(const Lines& lines) {
   return {height_of(lines, kBody) + 0.5, false, [lines](Drawing& page, PagePoint corner) {
             page.add(PageText{
                 "\u2022", {corner.x_mm, first_baseline(corner.y_mm, kBody)}, kBody, Align::left, 0, kBlack});
             draw_text_lines(page, lines, {corner.x_mm + kIndent_mm, corner.y_mm}, kBody, Align::left);
           }};
+}
+
+PanelItem bullet(const Font& font, const std::string& text, double width_mm) {
+  return bullet(font.wrapped(text, kBody, width_mm - kIndent_mm));
+}
+
+PanelItem more_in_report(const Font& font, std::size_t count, double width_mm) {
+  return bullet(font, std::to_string(count) + " more: see report.json", width_mm);
+}
+
+/// Of a long text the first lines.
+Lines first_lines(const Font& font, const std::string& text, std::size_t most, double width_mm) {
+  constexpr std::size_t kLetters = 120;  // that no line holds
+  Lines lines = font.wrapped(text.substr(0, (most + 1) * kLetters), kBody, width_mm);
+  if (lines.size() <= most) return lines;
+  lines.resize(most);
+  lines.back() = font.shortened(lines.back() + "\u2026", kBody, width_mm);
+  return lines;
 }
 
 /// The columns that result when none may be higher than `height_mm`: for each item its column.
@@ -133,8 +150,25 @@ std::vector<PanelItem> assumption_items(const Font& font, const MapText& text, s
   const std::size_t shown = std::min(most, text.assumptions.size());
   for (std::size_t i = 0; i < shown; ++i) items.push_back(bullet(font, text.assumptions[i], width_mm));
   if (shown < text.assumptions.size())
-    items.push_back(
-        bullet(font, std::to_string(text.assumptions.size() - shown) + " more: see report.json", width_mm));
+    items.push_back(more_in_report(font, text.assumptions.size() - shown, width_mm));
+  return items;
+}
+
+std::vector<PanelItem> note_items(const Font& font, const std::vector<std::string>& notes,
+                                  std::size_t most_lines, double width_mm) {
+  constexpr std::size_t kMostOfOne = 4;
+  std::vector<PanelItem> items;
+  if (notes.empty()) return items;
+  items.push_back(heading("Notes"));
+  std::size_t used = 0;
+  std::size_t shown = 0;
+  for (; shown < notes.size(); ++shown) {
+    const Lines lines = first_lines(font, notes[shown], kMostOfOne, width_mm - kIndent_mm);
+    used += lines.size();
+    if (used > most_lines) break;
+    items.push_back(bullet(lines));
+  }
+  if (shown < notes.size()) items.push_back(more_in_report(font, notes.size() - shown, width_mm));
   return items;
 }
 

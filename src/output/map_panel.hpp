@@ -22,6 +22,9 @@ struct PanelItem {
 std::vector<PanelItem> legend_items(const Font& font, const std::map<Mark, std::string>& drawn,
                                     double width_mm);
 std::vector<PanelItem> data_items(const Font& font, const MapText& text, double width_mm);
+/// In at most `most_lines`, of one note four; the others are counted.
+std::vector<PanelItem> note_items(const Font& font, const std::vector<std::string>& notes,
+                                  std::size_t most_lines, double width_mm);
 /// The first `most` of them; the others are counted.
 std::vector<PanelItem> assumption_items(const Font& font, const MapText& text, std::size_t most,
                                         double width_mm);

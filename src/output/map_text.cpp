@@ -122,12 +122,21 @@ Rows data_box(const Facts& facts) {
   return rows;
 }
 
+/// What was planned otherwise than asked comes before repairs of the boundary: there may be no room for all.
+std::vector<std::string> notes_for_driver(const Plan& plan) {
+  std::vector<std::string> notes = plan.notes;
+  std::stable_partition(notes.begin(), notes.end(),
+                        [](const std::string& note) { return note.starts_with("Block "); });
+  return notes;
+}
+
 }  // namespace
 
 MapText map_text(const Plan& plan, const Job& job) {
   MapText text;
   text.title = title_of(plan, job);
   text.data = data_box(facts_of(plan, job));
+  text.notes = notes_for_driver(plan);
   text.assumptions = plan.assumptions;
   text.warnings = plan.file.warnings;
   if (plan.verification && !plan.verification->faults.empty())

@@ -17,6 +17,7 @@ enum class Paper { a4, a3, letter };
 struct MapText {
   std::string title;                                      ///< "Home field - seeding"
   std::vector<std::pair<std::string, std::string>> data;  ///< the data box: label and value, units included
+  std::vector<std::string> notes;        ///< of planning and reading; as many as there is room for
   std::vector<std::string> assumptions;  ///< machine assumed, flat ground, boundary accuracy, datum
   std::vector<std::string> warnings;     ///< drawn so that nobody overlooks them
   std::optional<std::string> date;

@@ -12,7 +12,7 @@ namespace selion {
 /// them.
 std::string report_json(const Plan& plan);
 
-/// What the map of this plan says: title, data box, assumptions and warnings, in the units asked for.
+/// What the map of this plan says: title, data box, notes, assumptions and warnings, in the units asked for.
 MapText map_text(const Plan& plan, const Job& job);
 
 /// Paper and units of the map, as the job has them.
