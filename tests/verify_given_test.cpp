@@ -3,6 +3,7 @@
 #include "test.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include "field_samples.hpp"
 #include "selion/core/error.hpp"
@@ -169,4 +170,54 @@ TEST_CASE("a finding against the owner's field tells the place", "[verify]") {
     CHECK(finding.at->lon_deg == Approx(places[i].lon_deg).margin(1e-5).epsilon(0));
     CHECK(finding.at->lat_deg == Approx(places[i].lat_deg).margin(1e-5).epsilon(0));
   }
+}
+
+TEST_CASE("gates are those of the owner's file: place, name, width, number", "[verify]") {
+  const std::string field = feature_of({{field_ring(), {}}}, kField);
+  const auto gate = [](Point at, const std::string& more) {
+    return feature_of(at, R"({"selion":"gate")" + more + "}");
+  };
+  const std::string south = gate({20, -3}, R"(,"name":"south","width_m":6)");
+  const std::string north = gate({50, 62}, R"(,"name":7)");
+  const std::string far = gate({50, 90}, "");
+  const std::string file = collection_of({field, south, north, far});
+  CHECK(codes(file) == "");
+  const auto against = [&](const std::vector<std::string>& gates) {
+    std::vector<std::string> features{field};
+    features.insert(features.end(), gates.begin(), gates.end());
+    return codes(file, collection_of(features));
+  };
+  CHECK(against({south, north}) == "");
+  for (const std::string& other :
+       {gate({20.5, -3}, R"(,"name":"south","width_m":6)"), gate({20, -3}, R"(,"name":"south","width_m":4)"),
+        gate({20, -3}, R"(,"name":"south")"), gate({20, -3}, R"(,"name":"west","width_m":6)")})
+    CHECK_THAT(against({other, north}), Catch::StartsWith("given_gate: the owner's gate"));
+  CHECK_THAT(against({north, south}), Catch::Contains("given_gate"));
+  CHECK_THAT(against({south}), Catch::StartsWith("given_gate: the plan's gate '7'"));
+  CHECK_THAT(codes(collection_of({field, south}), file),
+             Catch::StartsWith("given_gate: the owner's gate '7'"));
+}
+
+TEST_CASE("gates of a file of their own are read with it", "[verify]") {
+  const TemporaryFile field{"field.geojson", collection_of({feature_of({{field_ring(), {}}}, kField)})};
+  const TemporaryFile gates{"gates.geojson", collection_of({feature_of(Point{20, -3}, R"({"width_m":4})")})};
+  ReadOptions options;
+  options.gates = gates.path();
+  const PlanFile plan = written(read_fields(field.path(), options, std::cin).at(0), "", Repair::notes_only);
+  REQUIRE(plan.gates.size() == 1);
+  CHECK(text_of(verify(plan, GivenField{.file = field.path(), .gates = gates.path()})) == "");
+  CHECK_THAT(text_of(verify(plan, GivenField{.file = field.path()})),
+             Catch::StartsWith("given_gate") && Catch::Contains("--gates"));
+}
+
+TEST_CASE("an obstacle is of the kind that it has in the owner's file", "[verify]") {
+  const std::string field = feature_of({{field_ring(), {}}}, kField);
+  const auto with = [&](const std::string& kind) {
+    return collection_of({field, feature_of({{box(30, 20, 40, 30), {}}}, R"({"selion":")" + kind + R"("})")});
+  };
+  CHECK_THAT(codes(with("water"), with("obstacle")),
+             Catch::Contains("is said to be water; the owner's is obstacle"));
+  CHECK_THAT(codes(with("no_go"), with("obstacle")),
+             Catch::Contains("is said to be no_go; the owner's is obstacle"));
+  CHECK_THAT(codes(with("obstacle"), collection_of({field})), Catch::Contains("the owner has none there"));
 }

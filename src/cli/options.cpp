@@ -157,12 +157,12 @@ std::shared_ptr<FieldOptions> add_boundary_options(CLI::App& app) {
   add(options->crs, {"--crs", "EPSG:CODE", "coordinate system of a file that does not say"});
   add(options->axis, {"--axis", "lonlat|latlon", "order of the numbers in a CSV or text file [lonlat]"});
   add(options->obstacles, {"--obstacles", "FILE", "a file of obstacles"});
+  add(options->gates, {"--gates", "FILE", "a file of gates"});
   return options;
 }
 
 std::shared_ptr<FieldOptions> add_field_options(CLI::App& app) {
   auto options = add_boundary_options(app);
-  add_text(app, kReading, {"--gates", "FILE", "a file of gates"}, options->gates);
   add_text(app, kReading,
            {"--accept-datum-error", "NUMBER",
             "take coordinates whose datum is known no better than this, in m [5]"},

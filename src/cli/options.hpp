@@ -30,7 +30,7 @@ struct FieldOptions {
   std::optional<std::string> layer, crs, axis, field, obstacles, gates, accept_datum_error_m;
 };
 std::shared_ptr<FieldOptions> add_field_options(CLI::App& app);
-/// Those of them that a check needs: neither gates nor the datum's accuracy.
+/// Those of them that a check needs: not the datum's accuracy.
 std::shared_ptr<FieldOptions> add_boundary_options(CLI::App& app);
 /// @throws InputError
 ReadOptions read_options_from(const FieldOptions& options);

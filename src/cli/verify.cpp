@@ -28,12 +28,12 @@ std::optional<GivenField> given_field(const VerifyOptions& options) {
   const ReadOptions read = read_options_from(*options.reading);
   if (options.field.empty()) {
     const FieldOptions& r = *options.reading;
-    if (r.field || r.layer || r.crs || r.axis || r.obstacles)
+    if (r.field || r.layer || r.crs || r.axis || r.obstacles || r.gates)
       throw InputError{"options for reading fields go with a field file: name it after the plan"};
     return std::nullopt;
   }
   for (const std::filesystem::path& file :
-       {std::filesystem::path{options.field}, read.obstacles.value_or("")}) {
+       {std::filesystem::path{options.field}, read.obstacles.value_or(""), read.gates.value_or("")}) {
     if (file.empty()) continue;
     if (!std::filesystem::exists(file)) throw InputError{file.string() + ": there is no such file"};
     refuse_endless(file);
@@ -43,7 +43,8 @@ std::optional<GivenField> given_field(const VerifyOptions& options) {
                     .name = read.field,
                     .crs = read.crs,
                     .order = read.axis == AxisOrder::latlon ? TextOrder::latlon : TextOrder::lonlat,
-                    .obstacles = read.obstacles};
+                    .obstacles = read.obstacles,
+                    .gates = read.gates};
 }
 
 int run_verify(const VerifyOptions& options) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_given.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "check.hpp"
 #include "owner_ground.hpp"
 #include "selion/core/error.hpp"
 
@@ -122,6 +123,8 @@ void check_given(Case& plan, const GivenField& given) {
   }
   tell(plan, "given_left_out", left_out(plan, owned, planned, std::move(kept_off)),
        "of the field given, wide enough for the machine, are in no block");
+  check_given_kinds(plan, features);
+  check_given_gates(plan, features, given);
 }
 
 }  // namespace selion::verifying

@@ -73,6 +73,15 @@ void add_file(std::vector<OwnerFeature>& features, const GivenField& given) {
                      (given.layer ? " in layer " + *given.layer : "")};
 }
 
+/// Whatever their layers are called.
+void add_gates(std::vector<OwnerFeature>& features, const GivenField& given) {
+  const std::vector<OwnerData> data = owner_data(*given.gates);
+  for (OwnerLayer& layer : layers_of(data, given)) {
+    layer.fields = layer.role = OwnerRole::gate;
+    add_features(features, layer);
+  }
+}
+
 void add_obstacles(std::vector<OwnerFeature>& features, const GivenField& given) {
   const std::vector<OwnerData> data = owner_data(*given.obstacles);
   for (OwnerLayer& layer : layers_of(data, given)) {
@@ -96,6 +105,7 @@ std::vector<OwnerFeature> read_owner_file(const GivenField& given) {
   };
   add(given.file, OwnerRole::field, add_file);
   if (given.obstacles) add(*given.obstacles, OwnerRole::obstacle, add_obstacles);
+  if (given.gates) add(*given.gates, OwnerRole::gate, add_gates);
   return features;
 }
 

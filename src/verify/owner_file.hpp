@@ -11,7 +11,8 @@
 namespace selion::verifying {
 
 /// What a feature is by its attribute `selion` or the name of its layer.
-enum class OwnerRole { field, obstacle, water, gate };
+enum class OwnerRole { field, obstacle, no_go, water, gate };
+bool is_obstacle(OwnerRole role);
 
 /// A feature of a file, in WGS84, as OGR gives it.
 struct OwnerFeature {
@@ -20,13 +21,13 @@ struct OwnerFeature {
   OwnerRole role = OwnerRole::field;
   long long number = 0;  ///< from 1 in its layer
   std::vector<LonLatArea> parts;
-  std::vector<LonLatLine> lines;  ///< of obstacles, as their points
-  std::vector<LonLat> points;
-  std::optional<double> radius_m;  ///< of the points: there where they are
-  std::optional<double> width_m;   ///< of the lines
+  std::vector<LonLatLine> lines;   ///< of obstacles, as their points
+  std::vector<LonLat> points;      ///< of obstacles and gates
+  std::optional<double> radius_m;  ///< of an obstacle's points: there where they are
+  std::optional<double> width_m;   ///< of lines and gates
 };
 
-/// The fields and obstacles of the file and of the one with further obstacles.
+/// Fields, obstacles and gates of the file and of those with further obstacles and gates.
 /// @throws InputError where there is no field, or a file cannot be read.
 std::vector<OwnerFeature> read_owner_file(const GivenField& given);
 

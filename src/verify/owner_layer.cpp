@@ -2,7 +2,6 @@
 #include "owner_layer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -89,7 +88,7 @@ LonLatArea area_of(OGRGeometryH polygon, const ToWgs84& to_wgs84) {
   return area;
 }
 
-bool is_obstacle(OwnerRole role) { return role == OwnerRole::obstacle || role == OwnerRole::water; }
+bool is_gate(OwnerRole role) { return role == OwnerRole::gate; }
 
 void add_geometry(OwnerFeature& feature, OGRGeometryH geometry, const ToWgs84& to_wgs84) {
   if (geometry == nullptr || SELION_OGR(OGR_G_IsEmpty)(geometry) != 0) return;
@@ -103,7 +102,8 @@ void add_geometry(OwnerFeature& feature, OGRGeometryH geometry, const ToWgs84& t
       if (is_obstacle(feature.role)) feature.lines.push_back(line_of(geometry, to_wgs84));
       break;
     case wkbPoint:
-      if (is_obstacle(feature.role)) feature.points.push_back(line_of(geometry, to_wgs84).front());
+      if (is_obstacle(feature.role) || is_gate(feature.role))
+        feature.points.push_back(line_of(geometry, to_wgs84).front());
       break;
     default:
       for (int i = 0; i < SELION_OGR(OGR_G_GetGeometryCount)(geometry); ++i)
@@ -124,9 +124,10 @@ OwnerFeature feature_of(OGRFeatureH raw, const std::string& where, const OwnerLa
       geometry == nullptr ? nullptr : SELION_OGR(OGR_G_GetLinearGeometry)(geometry, 0.5, nullptr),
       SELION_OGR(OGR_G_DestroyGeometry)};
   add_geometry(feature, straight.get(), to_wgs84);
-  if (!is_obstacle(feature.role)) return feature;
-  feature.radius_m = metres_of(attributes, "radius_m", where);
+  if (feature.role == OwnerRole::field) return feature;
   feature.width_m = metres_of(attributes, "width_m", where);
+  if (is_gate(feature.role)) return feature;
+  feature.radius_m = metres_of(attributes, "radius_m", where);
   if (!feature.points.empty() && !feature.radius_m)
     throw InputError{where + " is an obstacle given as a point: give its size as a property radius_m"};
   return feature;
@@ -134,14 +135,16 @@ OwnerFeature feature_of(OGRFeatureH raw, const std::string& where, const OwnerLa
 
 }  // namespace
 
+bool is_obstacle(OwnerRole role) { return role != OwnerRole::field && role != OwnerRole::gate; }
+
 std::optional<OwnerRole> role_named(const std::string& word) {
   std::string name = lower(word);
   std::ranges::replace_if(
       name, [](char c) { return c == '-' || c == ' '; }, '_');
   if (name == "water") return OwnerRole::water;
   if (name == "gate" || name == "gates") return OwnerRole::gate;
-  constexpr std::array<std::string_view, 4> kObstacles{"obstacle", "obstacles", "no_go", "nogo"};
-  if (std::ranges::find(kObstacles, name) != kObstacles.end()) return OwnerRole::obstacle;
+  if (name == "no_go" || name == "nogo") return OwnerRole::no_go;
+  if (name == "obstacle" || name == "obstacles") return OwnerRole::obstacle;
   return std::nullopt;
 }
 
@@ -157,8 +160,7 @@ void add_features(std::vector<OwnerFeature>& features, const OwnerLayer& from) {
     OwnerFeature feature =
         feature_of(raw.get(), from.crs.where + ", feature " + std::to_string(number), from, to_wgs84);
     feature.number = number;
-    if (is_obstacle(feature.role) || (feature.role == OwnerRole::field && !feature.parts.empty()))
-      features.push_back(std::move(feature));
+    if (feature.role != OwnerRole::field || !feature.parts.empty()) features.push_back(std::move(feature));
   }
   if (SELION_OGR(CPLGetLastErrorType)() >= CE_Failure)
     throw InputError{from.crs.where + " cannot be read to its end: " + SELION_OGR(CPLGetLastErrorMsg)()};

@@ -55,6 +55,7 @@ struct GivenField {
   std::optional<std::string> crs = {};    ///< of files that do not say
   TextOrder order = TextOrder::lonlat;    ///< of text without a header that says
   std::optional<std::filesystem::path> obstacles = {};  ///< a file of further ones
+  std::optional<std::filesystem::path> gates = {};      ///< the same
 };
 
 /// Checks everything that a plan file says by geometry and integration of its own: frame and field, joints,

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "check.hpp"
+#include "owner_file.hpp"
+
+namespace selion::verifying {
+
+/// The owner's gates: place, name, width and number.
+void check_given_gates(Case& plan, const std::vector<OwnerFeature>& features, const GivenField& given);
+/// Each obstacle of the plan is one of the owner's, of the same kind.
+void check_given_kinds(Case& plan, const std::vector<OwnerFeature>& features);
+
+}  // namespace selion::verifying
