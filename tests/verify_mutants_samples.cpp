@@ -118,7 +118,7 @@ const std::vector<Mutation>& of_samples() {
        {"speed", "acceleration", "lateral", "steering_rate"},
        drive_faster},
       {"begin late", {"not_finished"}, begin_late},
-      {"two robots through one point", {"robots_too_close"}, second_robot},
+      {"two robots through one point", {"robots_too_close", "block"}, second_robot},
   };
   return all;
 }

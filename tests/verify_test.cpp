@@ -152,6 +152,35 @@ TEST_CASE("a piece or way longer than its block takes is refused before it is fo
   CHECK(verdict.findings.front().code == "piece");
 }
 
+TEST_CASE("the same way for many robots, and a border that is a tangle, are refused before they are followed",
+          "[verify]") {
+  PlanFile plan = written(small_field(), "[machine]\npreset = \"robot-3m\"\n");
+  const TrajectoryRecord first = plan.trajectories.at(0);
+  std::string code;
+  SECTION("copies") {
+    for (int robot = 2; robot < 60; ++robot) plan.trajectories.emplace_back(first).robot = robot;
+    code = "block";
+  }
+  SECTION("all but copies") {
+    for (int robot = 2; robot < 60; ++robot) {
+      plan.trajectories.emplace_back(first).robot = robot;
+      plan.trajectories.back().pieces.front().x_m += 1e-6 * robot;
+    }
+    code = "piece";
+  }
+  SECTION("a tangle") {
+    Dice dice{7};
+    LonLatLine& shell = plan.fields.at(0).parts.at(0).shell;
+    const LonLat at = shell.front();
+    for (int i = 0; i < 20'000; ++i)
+      shell.push_back({at.lon_deg + dice.between(0, 1e-3), at.lat_deg + dice.between(0, 1e-3)});
+    code = "field_shape";
+  }
+  const Verdict verdict = verify(plan, std::nullopt);
+  REQUIRE(verdict.findings.size() == 1);
+  CHECK(verdict.findings.front().code == code);
+}
+
 TEST_CASE("a tool that gets out is found where the body stays inside", "[verify]") {
   const auto rectangle = [](double in_m) {
     return Polygon{{{in_m, in_m}, {60 - in_m, in_m}, {60 - in_m, 40 - in_m}, {in_m, 40 - in_m}}, {}};

@@ -43,6 +43,8 @@ struct Case {
 /// "robot 1, piece 17 (swath 12a)", counted from 1.
 std::string piece_name(const Driven& driven, std::size_t piece);
 
+/// False where a border crosses itself so often that to follow it would take long and tell nothing.
+bool check_tangles(Case& plan);
 /// Of the plan's field: rings that cross, areas. Fills `grounds`.
 void check_grounds(Case& plan);
 /// False where a trajectory has numbers that no machine drives in its block, so that following it would take

@@ -12,6 +12,7 @@ constexpr double kBeside_m = 100;  // of the block: what is nearer is followed, 
 constexpr double kMostWay = 10;    // times what covers the block once and leads round it once
 constexpr double kMostWork = 1.5;  // times the lines that it is said to work, and
 constexpr double kMoreWork_m = 300;
+constexpr double kMostRobots = 3;  // times the lines that all robots of a block work together
 
 Box box_of(const Shape& area) {
   Box box;
@@ -90,6 +91,19 @@ bool check_ways(Case& plan, const TrajectoryRecord& t, const Shape& area) {
   return true;
 }
 
+/// Robots that work the same over and over: each for itself may be sound.
+bool check_all_ways(Case& plan, int block) {
+  double work = 0;
+  for (const TrajectoryRecord& t : plan.plan.trajectories)
+    for (const PieceRecord& piece : t.pieces) work += t.block == block ? piece.tool * piece.length_m : 0;
+  const double most = kMostRobots * (lines_m(plan, block) + kMoreWork_m);
+  if (work <= most) return true;
+  plan.findings.add("piece", block, std::nullopt, {work, most},
+                    "the block's robots work on " + shown(work / 1000, 2) +
+                        " km; no piece of their trajectories is followed");
+  return false;
+}
+
 }  // namespace
 
 bool check_reach(Case& plan) {
@@ -99,6 +113,7 @@ bool check_reach(Case& plan) {
     if (ground == nullptr) continue;
     sound = check_pieces(plan, t, box_of(ground->area)) && check_ways(plan, t, ground->area) && sound;
   }
+  for (const Ground& ground : plan.grounds) sound = sound && check_all_ways(plan, ground.block);
   return sound;
 }
 

@@ -61,6 +61,7 @@ TakenApart::TakenApart(const PlanFile& file)
   check_job(trouble);
   check_frame();
   check_trajectories();
+  usable_ = usable_ && check_tangles(case_);
   if (!usable_) return;
   check_grounds(case_);
   usable_ = check_reach(case_);
@@ -106,9 +107,20 @@ void TakenApart::check_trajectories() {
     findings_.add("no_trajectory", 0, std::nullopt, {}, "the file has no trajectory");
   std::set<std::pair<int, int>> seen;
   for (const TrajectoryRecord& t : file.trajectories) {
-    if (!seen.emplace(t.block, t.robot).second) refuse("block", trajectory_name(t) + " is there twice");
+    if (!seen.emplace(t.block, t.robot).second)
+      return refuse("block", trajectory_name(t) + " is there twice");
     check_trajectory(t);
   }
+  check_copies();
+}
+
+/// Another robot that drives the very same way.
+void TakenApart::check_copies() {
+  const auto& all = case_.plan.trajectories;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (all[i].block == all[k].block && all[i].pieces == all[k].pieces)
+        return refuse("block", trajectory_name(all[i]) + " is that of robot " + std::to_string(all[k].robot));
 }
 
 void TakenApart::check_trajectory(const TrajectoryRecord& t) {

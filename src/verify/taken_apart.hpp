@@ -24,6 +24,7 @@ class TakenApart {
   void check_frame();
   void check_job(const std::string& trouble);
   void check_trajectories();
+  void check_copies();
   void check_trajectory(const TrajectoryRecord& t);
   void refuse(const char* code, const std::string& what);
 
