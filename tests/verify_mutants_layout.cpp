@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "verify_mutants.hpp"
@@ -13,6 +14,14 @@ std::function<bool(PlanFile&, Dice&)> without(std::vector<Record> PlanFile::*rec
     (plan.*records).clear();
     return true;
   };
+}
+
+bool order_route(PlanFile& plan, const std::string& word) {
+  const std::string route = R"("route":{"order":"adjacent")";
+  const std::size_t from = plan.job_json.find(route);
+  if (from == std::string::npos) return false;
+  plan.job_json.replace(from, route.size(), R"("route":{"order":")" + word + "\"");
+  return true;
 }
 
 bool leave_headland(PlanFile& plan, Dice&) {
@@ -42,6 +51,12 @@ bool has_holes(const PlanFile& plan) { return !plan.fields.front().parts.front()
 
 bool nearer_to_holes(PlanFile& plan, Dice& dice) {
   return has_holes(plan) && job("obstacle_clearance_m", "2.5")(plan, dice);
+}
+
+/// A plan along whole degrees may be one by that rule.
+bool by_p3(PlanFile& plan, Dice& dice) {
+  const double bearing = plan.ab_lines.front().bearing_deg;
+  return std::abs(std::remainder(bearing, 1)) > 1e-3 && job("direction", "\"p3\"")(plan, dice);
 }
 
 PieceRecord wait_of(const TrajectoryRecord& t) {
@@ -137,6 +152,13 @@ const std::vector<Mutation>& of_layout() {
       {"keep farther from the border", {"edge_margin", "headland"}, job("edge_margin_m", "0.6")},
       {"keep farther from holes", {"body_obstacle", "tool_obstacle", "path_outside"}, nearer_to_holes},
       {"pass over the border", {"job"}, job("overhang_m", "2")},
+      {"an order of swaths of later versions", {"job"}, [](P& p, Dice&) { return order_route(p, "lands"); }},
+      {"a direction of later versions", {"job"}, job("direction", "\"cost\"")},
+      {"a direction by the rule p3", {"ab", "job"}, by_p3},
+      {"an unknown preset", {"job"}, job("preset", "\"tractor-99m\"")},
+      {"an unknown key of the machine", {"job"}, job("mass_kg", "9,\"colour\":1")},
+      {"another frame by code", {"frame"}, job("crs", "\"EPSG:2154\"")},
+      {"an unknown frame", {"frame"}, job("crs", "\"EPSG:999999\"")},
       {"an unknown operation", {"job"}, job("operation", "\"racing\"")},
       {"a tool slower to lower", {"tool_lowering"}, job("tool_lower_s", "9")},
       {"a tool slower to raise", {"tool_raising"}, job("tool_raise_s", "60")},

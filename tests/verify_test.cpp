@@ -283,3 +283,14 @@ TEST_CASE("the list of places to look at names ten approaches and ten bends", "[
   CHECK(list.closest[0].measure_m > -0.011);
   CHECK(list.tightest[0].measure_m == Approx(1.8).margin(1e-3));  // tan(45 degrees) / 1.8 m
 }
+
+TEST_CASE("a frame by code is known for the one that the job names", "[verify]") {
+  const std::string code = GENERATE("EPSG:32632", "EPSG:25832", "EPSG:31467");
+  CAPTURE(code);
+  PlanFile plan = written(small_field(), "[frame]\ncrs = \"" + code + "\"\n");
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+  const std::size_t at = plan.job_json.find(code);
+  REQUIRE(at != std::string::npos);
+  plan.job_json.replace(at, code.size(), "auto");
+  CHECK_THAT(text_of(verify(plan, std::nullopt)), Catch::StartsWith("frame"));
+}

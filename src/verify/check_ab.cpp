@@ -51,8 +51,12 @@ class AbCheck {
     plan_.findings.add(code, ab_.block, at, measured, what);
   }
 
+  [[nodiscard]] double rounding_deg() const {
+    return std::atan(kRounded_m / std::max(length_m_, kRounded_m)) / kDegree;
+  }
+
   void bearing(const std::string& name, double told, double found, double round) {
-    const double slack = kAngle_deg + std::atan(kRounded_m / std::max(length_m_, kRounded_m)) / kDegree;
+    const double slack = kAngle_deg + rounding_deg();
     if (turned_deg(told, found, round) <= slack) return;
     say("ab", a_, {told, std::fmod(found + 360, round)},
         name + " is said to bear " + shown(told, 4) + " degrees; the AB line bears " +
@@ -75,7 +79,20 @@ class AbCheck {
         say("ab", a_, {points, *work.direction_deg},
             "the AB line bears " + shown(points, 2) + " degrees, the job asks for " +
                 shown(*work.direction_deg, 2));
+    } else if (work.by_p3) {
+      by_p3();
     }
+  }
+
+  /// The rule of Cariou et al. 2020 turns the field by whole degrees, and knows no holes.
+  void by_p3() {
+    const double turned = heading_rad(ahead_) / kDegree;
+    const double off = turned_deg(turned, 0, 1);
+    if (const double slack = kAngle_deg + rounding_deg(); !(off <= slack))
+      say("ab", a_, {off, slack}, "the AB line is not turned by whole degrees, as the job's rule p3 has it");
+    const bool holes = std::ranges::any_of(outlines_of(plan_.ground(ab_.block)->area),
+                                           [](const Outline& outline) { return !outline.holes.empty(); });
+    if (holes) say("job", a_, {}, "the job's rule p3 for directions knows no holes; the block has some");
   }
 
   /// Of a swath of the plan's cell: parallel, from the A side to the B side.

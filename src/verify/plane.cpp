@@ -21,10 +21,22 @@ bool is_of_wgs84(const std::string& proj) {
 
 }  // namespace
 
-Plane::Plane(const std::string& proj)
-    : context_{proj_context_create(), proj_context_destroy}, in_radians_{is_of_wgs84(proj)} {
+Plane::Plane() : context_{proj_context_create(), proj_context_destroy} {
   proj_log_level(context_.get(), PJ_LOG_NONE);
   proj_context_set_enable_network(context_.get(), 0);
+}
+
+Plane Plane::of_code(const std::string& code) {
+  Plane plane;
+  const std::unique_ptr<PJconsts, decltype(&proj_destroy)> raw{
+      proj_create_crs_to_crs(plane.context_.get(), "OGC:CRS84", code.c_str(), nullptr), proj_destroy};
+  PJ* east_first = raw ? proj_normalize_for_visualization(plane.context_.get(), raw.get()) : nullptr;
+  if (east_first != nullptr) plane.transform_ = {east_first, proj_destroy};
+  return plane;
+}
+
+Plane::Plane(const std::string& proj) : Plane{} {
+  in_radians_ = is_of_wgs84(proj);
   PJ* made = in_radians_ ? proj_create(context_.get(), proj.c_str())
                          : proj_create_crs_to_crs(context_.get(), "OGC:CRS84", (proj + " +type=crs").c_str(),
                                                   nullptr);

@@ -16,6 +16,8 @@ namespace selion::verifying {
 class Plane {
  public:
   explicit Plane(const std::string& proj);
+  /// Of a code, "EPSG:2154".
+  static Plane of_code(const std::string& code);
 
   /// False where PROJ cannot make anything of the string.
   [[nodiscard]] bool valid() const { return transform_ != nullptr; }
@@ -25,6 +27,8 @@ class Plane {
   [[nodiscard]] std::vector<Point> to_local(const std::vector<LonLat>& line) const;
 
  private:
+  Plane();
+
   std::shared_ptr<pj_ctx> context_;
   std::shared_ptr<PJconsts> transform_;
   bool in_radians_ = false;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "frame_crs.hpp"
 #include "selion/core/error.hpp"
 
 namespace selion::verifying {
@@ -99,6 +100,8 @@ void TakenApart::check_frame() {
   const double off = length_m(plane_.to_local(origin));
   if (!(off <= kOrigin_m))
     return refuse("frame", "the frame's origin lies " + shown(off, 1) + " m from where the file says");
+  if (const std::string& crs = vehicle_.frame_crs; usable_ && !is_frame_of(plane_, origin, crs))
+    refuse("frame", "the frame is not the one that the job names, " + crs);
 }
 
 void TakenApart::check_trajectories() {

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "job_keys.hpp"
+
 namespace selion::verifying {
 namespace {
 
@@ -47,6 +49,10 @@ class JobReader {
     if (std::ranges::find(words, given) == words.end()) say(table, key);
     return given;
   }
+  bool is(const char* table, const char* key, const char* wanted) {
+    const nlohmann::json* value = find(table, key);
+    return value != nullptr && value->is_string() && *value == wanted;
+  }
   /// Empty where the list is.
   std::vector<double> numbers(const char* table, const char* key, std::size_t count) {
     const nlohmann::json* value = find(table, key);
@@ -76,6 +82,9 @@ class JobReader {
 
 void read_measures(Machine& m, JobReader& job) {
   const auto of_machine = [&job](const char* key) { return job.number("machine", key); };
+  m.preset = job.word("machine", "preset");
+  if (!std::ranges::any_of(machine_presets(), [&](const MachinePreset& p) { return p.name == m.preset; }))
+    job.say("machine", "preset");
   m.working_width_m = of_machine("working_width_m");
   m.tool_x_m = of_machine("tool_x_m");
   m.body_width_m = of_machine("body_width_m");
@@ -116,9 +125,13 @@ void read_work(Work& work, JobReader& job) {
   work.overlap_m = job.number("layout", "overlap_m");
   work.ab_shift_m = job.number("layout", "ab_shift_m");
   work.ab = job.numbers("layout", "ab", 4);
+  work.by_p3 = job.is("layout", "direction", "p3");
   work.direction_deg = job.number_or("layout", "direction", {"edge", "p3"});
   work.passes = job.number_or("headland", "passes", {"auto"});
   work.headland_order = job.one_of("headland", "order", {"first", "last", "none"});
+  job.one_of("route", "order", {"adjacent"});
+  job.one_of("output", "units", {"metric", "imperial"});
+  job.one_of("output", "paper", {"A4", "A3", "letter"});
   work.start = job.word("route", "start");
 }
 
@@ -131,12 +144,14 @@ Vehicle vehicle_of(const std::string& job_json, std::string& trouble) {
     return {};
   }
   JobReader reader{job, trouble};
+  for (const std::string& key : unknown_keys(job_json)) reader.say("", key.c_str());
   Vehicle vehicle;
   read_measures(vehicle.machine, reader);
   read_powers(vehicle.machine, reader);
   vehicle.edge_margin_m = reader.number("field", "edge_margin_m");
   vehicle.obstacle_clearance_m = reader.number("field", "obstacle_clearance_m");
   vehicle.water_margin_m = reader.number("field", "water_margin_m");
+  vehicle.frame_crs = reader.word("frame", "crs");
   read_work(vehicle.work, reader);
   const Machine& m = vehicle.machine;
   constexpr double kDegree = std::numbers::pi / 180;

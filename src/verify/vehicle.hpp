@@ -15,6 +15,7 @@ struct Work {
   double ab_shift_m = 0;
   std::vector<double> ab;               ///< longitude, latitude of A, then of B; or empty
   std::optional<double> direction_deg;  ///< of the compass, where one was asked for
+  bool by_p3 = false;                   ///< by the rule of Cariou et al. 2020
   std::optional<double> passes;         ///< of the headland, where a number was asked for
   std::string headland_order;           ///< first | last | none
   std::string start;                    ///< "gate:1", a gate's name, or empty
@@ -24,6 +25,7 @@ struct Work {
 struct Vehicle {
   Machine machine;
   Work work;
+  std::string frame_crs;  ///< auto, or a code
   double edge_margin_m = 0;
   double obstacle_clearance_m = 0;
   double water_margin_m = 0;
