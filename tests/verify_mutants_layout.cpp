@@ -16,6 +16,17 @@ std::function<bool(PlanFile&, Dice&)> without(std::vector<Record> PlanFile::*rec
   };
 }
 
+/// Another word for when the headland is worked.
+bool order_headland(PlanFile& plan, const std::string& word) {
+  const std::size_t table = plan.job_json.find(R"("headland":{)");
+  const std::string order = R"("order":")";
+  const std::size_t from = plan.job_json.find(order, table);
+  if (table == std::string::npos || from == std::string::npos) return false;
+  const std::size_t to = plan.job_json.find_first_of(",}", from);
+  plan.job_json.replace(from, to - from, order + word + "\"");
+  return true;
+}
+
 bool order_route(PlanFile& plan, const std::string& word) {
   const std::string route = R"("route":{"order":"adjacent")";
   const std::size_t from = plan.job_json.find(route);
@@ -24,12 +35,39 @@ bool order_route(PlanFile& plan, const std::string& word) {
   return true;
 }
 
-bool leave_headland(PlanFile& plan, Dice&) {
-  const std::string headland = R"("headland":{)";
-  const std::size_t table = plan.job_json.find(headland);
-  const std::size_t from = plan.job_json.find(R"("order":")", table);
-  if (table == std::string::npos || from == std::string::npos) return false;
-  plan.job_json.replace(from, plan.job_json.find_first_of(",}", from) - from, R"("order":"none")");
+bool leave_headland(PlanFile& plan, Dice&) { return order_headland(plan, "none"); }
+
+bool turn_headland_order(PlanFile& plan, Dice&) {
+  const PlanFile before = plan;
+  return order_headland(plan, "first") && (plan != before || order_headland(plan, "last"));
+}
+
+/// Pieces of the line are of that kind and called so from now on.
+void rename_pieces(PlanFile& plan, const SwathRecord& swath, const std::string& kind,
+                   const std::string& ref) {
+  for (TrajectoryRecord& t : plan.trajectories)
+    for (PieceRecord& piece : t.pieces)
+      if (t.block == swath.block && piece.ref == swath.id) piece.kind = kind, piece.ref = ref;
+}
+
+bool swath_as_pass(PlanFile& plan, Dice& dice) {
+  const std::size_t i = dice.pick(plan.swaths.size());
+  const SwathRecord swath = plan.swaths[i];
+  if (swath.id.starts_with('P')) return false;
+  plan.swaths.erase(plan.swaths.begin() + static_cast<std::ptrdiff_t>(i));
+  plan.headland_passes.push_back({swath.block, "H9", 1, swath.line, swath.width_m});
+  rename_pieces(plan, swath, "headland_pass", "H9");
+  return true;
+}
+
+bool drive_swath_as_pass(PlanFile& plan, Dice& dice) {
+  const SwathRecord swath = plan.swaths[dice.pick(plan.swaths.size())];
+  rename_pieces(plan, swath, "headland_pass", swath.id);
+  return true;
+}
+
+bool all_passes_outermost(PlanFile& plan, Dice&) {
+  for (HeadlandPassRecord& pass : plan.headland_passes) pass.ring = 1;
   return true;
 }
 
@@ -108,9 +146,15 @@ const std::vector<Mutation>& of_layout() {
       {"move a gate off the border",
        {"gate"},
        to_one(&P::gates, [](auto& g, Dice& d) { g.at.lat_deg += d.between(1e-6, 1e-3); })},
-      {"a gate narrower than the body", {"gate"}, to_one(&P::gates, [](auto& g, Dice&) { g.width_m = 0.3; })},
+      {"gates narrower than the body",
+       {"gate"},
+       [](P& p, Dice&) {
+         for (GateRecord& gate : p.gates) gate.width_m = 0.3;
+         return true;
+       }},
       {"a gate of no block", {"block"}, to_one(&P::gates, [](auto& g, Dice&) { g.block = 8; })},
       {"begin at a gate that is not there", {"gate"}, job("start", "\"gate:7\"")},
+      {"begin at another gate", {"gate"}, job("start", "\"gate:2\"")},
       {"turn an AB line",
        {"ab"},
        to_one(&P::ab_lines, [](auto& a, Dice& d) { a.b.lat_deg += d.between(2e-6, 1e-4); })},
@@ -147,6 +191,14 @@ const std::vector<Mutation>& of_layout() {
       {"another ring of a pass", {"headland"}, to_one(&P::headland_passes, [](auto& p, Dice&) { ++p.ring; })},
       {"drop the headland", {"headland"}, without(&P::headlands)},
       {"leave the headland unworked", {"headland"}, leave_headland},
+      {"work the headland the other way round", {"headland_order"}, turn_headland_order},
+      {"a swath as a headland pass", {"headland", "line_kind"}, swath_as_pass},
+      {"drive a swath as a headland pass", {"line_kind"}, drive_swath_as_pass},
+      {"rename a headland pass",
+       {"line_kind"},
+       to_one(&P::headland_passes, [](auto& p, Dice&) { p.id = "7"; })},
+      {"all headland passes outermost", {"headland"}, all_passes_outermost},
+      {"another robot", {"robot"}, to_one(&P::trajectories, [](auto& t, Dice&) { ++t.robot; })},
       {"ask for more passes", {"headland"}, job("passes", "9")},
       {"ask for more overlap", {"swath_spacing"}, job("overlap_m", "0.12")},
       {"keep farther from the border", {"edge_margin", "headland"}, job("edge_margin_m", "0.6")},

@@ -25,6 +25,7 @@ Field gated_field() {
   Field field = holed_field();
   const LonLatLine& shell = field.parts.at(0).shell;
   field.gates.push_back({"south", shell.at(1), 4.0});
+  field.gates.push_back({"north", shell.at(3), 5.0});
   return field;
 }
 Field two_blocks() {

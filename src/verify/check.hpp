@@ -68,12 +68,18 @@ void check_inside(Case& plan, const Driven& driven);
 void check_margin(Case& plan, const Driven& driven);
 /// Each swath and pass once, where its line lies, in its order.
 void check_lines(Case& plan);
-/// Blocks of all records, and gates.
+/// Blocks of all records.
 void check_records(Case& plan);
+/// Swaths and headland passes are driven as what they are; numbers of robots.
+void check_kinds(Case& plan);
+/// Gates: where they lie, and the one that is driven through.
+void check_gates(Case& plan);
 /// AB lines and cells, and how swaths lie to them and to each other.
 void check_ab(Case& plan);
 /// Number of the strip that a swath is a piece of: "12a" is of 12, "L1" of 0. Of a pocket none.
 std::optional<int> strip_of(const std::string& id);
+/// The headland before or after the swaths, as the job has it.
+void check_order(Case& plan, const Driven& driven);
 /// Headlands: their depth, their share of the block, their passes.
 void check_headlands(Case& plan);
 /// The ground covered. Fills the verdict's areas and places.

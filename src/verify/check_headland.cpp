@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "check.hpp"
 
@@ -10,7 +11,10 @@ namespace {
 
 constexpr double kOverlap_m = 0.02;  // of neighbouring rings, so that no sliver stays between
 constexpr double kStray_m = 0.05;    // what lines of passes may stray along borders that are not straight
+constexpr double kDrivable_m = 0.2;  // what each ring strays from the one outside it where it must
+constexpr double kNextRing = 0.7;    // widths farther in than a ring
 constexpr double kLong = 8;          // widths
+constexpr double kLongRing_m = 100;
 constexpr double kStep_m = 2;
 
 Shape shape_of(const Plane& plane, const std::vector<LonLatArea>& parts) {
@@ -67,7 +71,7 @@ class HeadlandCheck {
     std::vector<LonLatArea> parts;
     for (const CellRecord& cell : plan_.plan.cells)
       if (cell.block == ground_.block) parts.insert(parts.end(), cell.parts.begin(), cell.parts.end());
-    const Shape cells = shape_of(plan_.plane, parts);
+    const Shape& cells = cells_ = shape_of(plan_.plane, parts);
     const Shape band = shape_of(plan_.plane, headland_.parts);
     const double slack = 0.1 + 1e-3 * (perimeter_m(band) + perimeter_m(cells));
     const auto tell = [&](const Shape& where, const std::string& what) {
@@ -84,12 +88,16 @@ class HeadlandCheck {
                                          shown(headland_.depth_m, 2) + " m deep");
   }
 
-  /// Rings are numbered from the border; each lies a width farther in, or more.
+  /// Rings are numbered from the border, each lies a width farther in, or more. Where one is not driven, no
+  /// other may lie where it would.
   void passes() {
+    std::set<int> rings;
+    bool farther_in = false;
     const Prepared around{border_of(ground_.free)};
     const Prepared border{border_of(filled(ground_.area))};
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes) {
       if (pass.block != ground_.block) continue;
+      rings.insert(pass.ring);
       const std::vector<Point> line = plan_.plane.to_local(pass.line);
       if (pass.ring > headland_.passes)
         say({1.0 * pass.ring, 1.0 * headland_.passes},
@@ -98,24 +106,50 @@ class HeadlandCheck {
             line.front());
       const double told = half_m() + (pass.ring - 1) * spacing_m();
       const double usual = usual_distance_m(line, around);
-      if (!(usual >= told - spacing_m() / 2))
+      const double strays =
+          length_m(line) < kLongRing_m ? std::min(pass.ring * kDrivable_m, spacing_m() / 4) : 0;
+      if (!(usual >= told - spacing_m() / 2 - strays))
         say({usual, told},
             pass.id + " is said to be ring " + std::to_string(pass.ring) + ", " + shown(told, 1) +
                 " m or more from border and obstacles; it lies " + shown(usual, 1) + " m off",
             line.front());
-      keeps_margin(pass.id, line, {usual_distance_m(line, border), told + plan_.vehicle.edge_margin_m});
+      keeps_margin(pass.id, line, {usual_distance_m(line, border), half_m() + plan_.vehicle.edge_margin_m});
+      is_no_swath(pass, line);
+      farther_in = farther_in || usual >= told + kNextRing * spacing_m();
     }
+    for (int ring = 1; ring <= headland_.passes && farther_in; ++ring)
+      if (!rings.contains(ring))
+        return say({1.0 * ring, 0}, "no headland pass is of ring " + std::to_string(ring));
+  }
+
+  /// Straight, parallel to the AB line and in a cell.
+  void is_no_swath(const HeadlandPassRecord& pass, const std::vector<Point>& line) {
+    constexpr double kParallel_m = 0.02;
+    constexpr double kMost = 0.5;
+    const auto ab = std::ranges::find(plan_.plan.ab_lines, ground_.block, &AbRecord::block);
+    if (line.size() != 2 || ab == plan_.plan.ab_lines.end()) return;
+    const Point along = unit(heading_rad(plan_.plane.to_local(ab->b) - plan_.plane.to_local(ab->a)));
+    const double within = perimeter_m(common(line_through(line), cells_));
+    if (std::abs(cross(along, line[1] - line[0])) <= kParallel_m && within >= kMost * length_m(line))
+      plan_.findings.add(
+          "line_kind", ground_.block, line.front(), {within, 0},
+          "headland pass " + pass.id + " lies in a cell, parallel to the AB line: it is a swath");
   }
 
   /// A long line does; short ones lead into corners.
   void keeps_margin(const std::string& id, const std::vector<Point>& line, const Measured& off) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += distance_m(line[i - 1], line[i]);
-    if (length < kLong * plan_.vehicle.machine.working_width_m || off.measure >= off.limit - kStray_m) return;
+    if (length_m(line) < kLong * plan_.vehicle.machine.working_width_m || off.measure >= off.limit - kStray_m)
+      return;
     plan_.findings.add("edge_margin", ground_.block, line.front(), off,
                        id + " lies " + shown(off.measure, 3) +
                            " m from the border; tool, ring and edge margin make it " + shown(off.limit, 3) +
                            " m");
+  }
+
+  [[nodiscard]] static double length_m(const std::vector<Point>& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += distance_m(line[i - 1], line[i]);
+    return length;
   }
 
   /// Of half of the line's places: it cuts corners and swings out round others. Past slits it leads far off.
@@ -135,6 +169,7 @@ class HeadlandCheck {
   Case& plan_;
   const Ground& ground_;
   const HeadlandRecord& headland_;
+  Shape cells_;
 };
 
 }  // namespace

@@ -21,8 +21,11 @@ Verdict verify(const PlanFile& file, const std::optional<GivenField>& given) {
       check_tool(plan, driven);
       check_inside(plan, driven);
       check_margin(plan, driven);
+      check_order(plan, driven);
     }
     check_records(plan);
+    check_gates(plan);
+    check_kinds(plan);
     check_lines(plan);
     check_ab(plan);
     check_headlands(plan);
