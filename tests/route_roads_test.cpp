@@ -18,11 +18,18 @@ Machine robot() {
   return {};
 }
 
+Machine only_ahead(Machine machine) {
+  machine.may_reverse = false;
+  machine.may_pivot = false;
+  return machine;
+}
+
 /// All of `area` is headland.
 struct Ground {
-  explicit Ground(Polygon area) : space{free_space(area, footprint_of(machine))} {}
+  explicit Ground(Polygon area, Machine driven = robot())
+      : machine{std::move(driven)}, space{free_space(area, footprint_of(machine))} {}
 
-  Machine machine = robot();
+  Machine machine;
   FreeSpace space;
   AreaIndex mainland{{}};
   CurveLimits limits = limits_at(machine, machine.turn_speed_mps);
@@ -116,4 +123,35 @@ TEST_CASE("what one search has learned of the ground leads the next one nowhere 
     }
   }
   CHECK(!known.moves.empty());
+}
+
+TEST_CASE("goals near at hand that cannot be driven into keep no search from one far off", "[route]") {
+  // their backs to the wall of the first yard, the way out of which leads round a corner
+  const Ground ground{Polygon{{{0, 0},
+                               {40, 0},
+                               {40, 14},
+                               {44, 14},
+                               {44, 0},
+                               {70, 0},
+                               {70, 30},
+                               {44, 30},
+                               {44, 18},
+                               {40, 18},
+                               {40, 30},
+                               {0, 30}},
+                              {}},
+                      only_ahead(robot())};
+  const double rear_m = ground.machine.rear_m + 0.1;
+  std::vector<Pose> goals;
+  for (int i = 0; i < 5; ++i) goals.push_back({{6.0 + 5 * i, rear_m}, kPi / 2});
+  for (const Pose& goal : goals) REQUIRE(fits(ground.space, ground.terrain.footprint, goal));
+  goals.push_back({{60, 22}, kPi / 2});
+  KnownGround known;
+  const auto found = searched(ground.terrain, {{{20, 15}, kPi}}, goals, known);
+  REQUIRE(found);
+  CHECK(found->arrival.goal + 1 == goals.size());
+  CHECK(distance_m(end_pose(found->arrival.way).at, goals.back().at) < 1e-6);
+  CHECK(stays_inside(ground.space, ground.terrain.footprint, found->arrival.way));
+  goals.pop_back();
+  CHECK_FALSE(searched(ground.terrain, {{{20, 15}, kPi}}, goals, known));
 }

@@ -106,6 +106,23 @@ bool Driver::drive_to(const Task& task) {
   return true;
 }
 
+std::optional<std::size_t> Driver::drive_to_one_of(const std::vector<Task>& tasks) {
+  std::vector<Goal> goals;
+  std::vector<std::size_t> first_goal;
+  for (const Task& task : tasks) {
+    first_goal.push_back(goals.size());
+    for (const Goal& goal : goals_of(task)) goals.push_back(goal);
+  }
+  if (!here_ || goals.empty()) return std::nullopt;
+  std::optional<Approach> best = approach(goals);
+  if (!best) return std::nullopt;
+  const auto beyond = std::upper_bound(first_goal.begin(), first_goal.end(), best->goal);
+  const auto task = static_cast<std::size_t>(beyond - first_goal.begin()) - 1;
+  best->goal -= first_goal[task];
+  drive_by(tasks[task], goals_of(tasks[task]), std::move(*best));
+  return task;
+}
+
 void Driver::drive_along(const Path& way, const Task& task) {
   work(task, way, path_of(task, task.ways.front()));
 }

@@ -29,6 +29,8 @@ class Driver {
   bool turn_to(const Task& task);
   /// Drives to the task by the cheapest of its ways and works it; false where it cannot be reached.
   bool drive_to(const Task& task);
+  /// The same with the task, of several, that is reached most cheaply: which one. The nearest ones first.
+  std::optional<std::size_t> drive_to_one_of(const std::vector<Task>& tasks);
   /// Drives a way that begins where it stands and leads to the task's first one, and works it.
   void drive_along(const Path& way, const Task& task);
   /// Takes the last work back, with the way to it; what was taken back, last piece last. Empty where there is

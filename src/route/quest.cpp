@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace selion {
@@ -148,7 +149,7 @@ Roads::Stations Quest::stations_reached() const {
 std::optional<std::size_t> Quest::found() {
   if (const auto goal = found(kSoon)) return goal;
   realm_ = roads_.realm_of(stations_reached());
-  if (realm_ != nullptr && roads_.searched_in_vain(goals_, *realm_)) return std::nullopt;
+  if (realm_ != nullptr && goals_not_in_vain(*realm_).empty()) return std::nullopt;
   guide_beyond(kFar);
   if (has_few_goals() && !find_entries()) return found(kMostInVain);
   const auto goal = found(kMostVisited);
@@ -173,21 +174,31 @@ std::vector<std::size_t> Quest::departures() const {
   return nodes;
 }
 
+/// Those that may still be reached over the ground.
+std::vector<Pose> Quest::goals_not_in_vain(const Roads::Stations& reached) const {
+  std::vector<Pose> open;
+  std::copy_if(goals_.begin(), goals_.end(), std::back_inserter(open),
+               [&](const Pose& goal) { return !roads_.searched_in_vain(goal, reached); });
+  return open;
+}
+
 /// Through the ground between the roads: from all places that they lead to.
 std::optional<Arrival> Quest::beyond() {
   const Roads::Stations known = realm_ != nullptr ? *realm_ : stations_reached();
-  if (roads_.searched_in_vain(goals_, known)) return std::nullopt;
+  const std::vector<Pose> goals = goals_not_in_vain(known);
+  if (goals.empty()) return std::nullopt;
   const std::vector<std::size_t> nodes = departures();
   std::vector<Pose> poses(nodes.size());
   std::transform(nodes.begin(), nodes.end(), poses.begin(), [&](std::size_t node) { return pose(node); });
-  auto found = searched(terrain_, poses, goals_, roads_.known_ground());
+  auto found = searched(terrain_, poses, goals, roads_.known_ground());
   if (!found) {
-    roads_.remember_in_vain(goals_, known);
+    roads_.remember_in_vain(goals, known);
     return std::nullopt;
   }
   Path whole = way_to(nodes[found->departure]);
   append(whole, found->arrival.way);
-  return Arrival{found->arrival.goal, std::move(whole)};
+  const auto goal = std::find(goals_.begin(), goals_.end(), goals[found->arrival.goal]);
+  return Arrival{static_cast<std::size_t>(goal - goals_.begin()), std::move(whole)};
 }
 
 }  // namespace selion

@@ -44,7 +44,6 @@ class Quest {
     double rest_m = 0;
   };
 
-  /// Of more, some can be driven into forwards.
   [[nodiscard]] bool has_few_goals() const { return goals_.size() <= 4; }
   [[nodiscard]] std::size_t first_goal() const { return roads_.size() + starts_.size(); }
   [[nodiscard]] const Pose& pose(std::size_t node) const;
@@ -69,6 +68,7 @@ class Quest {
   std::optional<std::size_t> found();
   [[nodiscard]] std::vector<std::size_t> departures() const;
   [[nodiscard]] Roads::Stations stations_reached() const;
+  [[nodiscard]] std::vector<Pose> goals_not_in_vain(const Roads::Stations& reached) const;
   std::optional<Arrival> beyond();
 
   Roads& roads_;

@@ -11,13 +11,14 @@ namespace selion {
 namespace {
 
 constexpr double kFarthestBeyond_m = 150;  // of a straight run backwards into a pose
+constexpr std::size_t kMostRunInto = 64;   // goals: of more, some can be driven into forwards
 
 }  // namespace
 
 void Quest::add_ends(std::size_t goal) {
   const Pose& to = goals_[goal];
   ends_.push_back({goal, to, {}, 0, false, {}});
-  if (!terrain_.may_reverse || !has_few_goals()) return;
+  if (!terrain_.may_reverse || goals_.size() > kMostRunInto) return;
   const double step_m = 2 / terrain_.limits.curvature_per_m;
   for (int k = 1; k * step_m < kFarthestBeyond_m; ++k) {
     const Point begin = to.at + k * step_m * unit(to.heading_rad);

@@ -29,11 +29,6 @@ double guess_m(const Pose& from, const Pose& to, double radius_m) {
                              std::abs(wrapped(to.heading_rad - bearing)));
 }
 
-/// In whatever order.
-bool same_places(const std::vector<Pose>& a, const std::vector<Pose>& b) {
-  return std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
-}
-
 }  // namespace
 
 Roads::Roads(const Terrain& terrain, std::vector<Track> tracks)
@@ -160,15 +155,17 @@ const Roads::Stations* Roads::realm_of(const Stations& stations) const {
   return known == realms_.end() || stations.empty() ? nullptr : &*known;
 }
 
-bool Roads::searched_in_vain(const std::vector<Pose>& goals, const Stations& reached) const {
-  return !reached.empty() && std::any_of(in_vain_.begin(), in_vain_.end(), [&](const auto& known) {
-    return same_places(known.first, goals) &&
-           std::includes(known.second.begin(), known.second.end(), reached.begin(), reached.end());
+bool Roads::searched_in_vain(const Pose& goal, const Stations& reached) const {
+  const auto known = in_vain_.find(goal);
+  if (known == in_vain_.end() || reached.empty()) return false;
+  return std::any_of(known->second.begin(), known->second.end(), [&](const Stations* from) {
+    return std::includes(from->begin(), from->end(), reached.begin(), reached.end());
   });
 }
 
-void Roads::remember_in_vain(const std::vector<Pose>& goals, Stations reached) {
-  in_vain_.emplace_back(goals, std::move(reached));
+void Roads::remember_in_vain(const std::vector<Pose>& goals, const Stations& reached) {
+  const Stations* from = &searched_from_.emplace_back(reached);
+  for (const Pose& goal : goals) in_vain_[goal].push_back(from);
 }
 
 std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goals,

@@ -81,9 +81,9 @@ class Roads {
   /// Such a set that holds all of these; none known: null.
   [[nodiscard]] const Stations* realm_of(const Stations& stations) const;
 
-  /// Has the ground been searched in vain for a way to these goals, from all stations that are `reached` now?
-  [[nodiscard]] bool searched_in_vain(const std::vector<Pose>& goals, const Stations& reached) const;
-  void remember_in_vain(const std::vector<Pose>& goals, Stations reached);
+  /// Has the ground been searched in vain for a way to the goal, from all stations that are `reached` now?
+  [[nodiscard]] bool searched_in_vain(const Pose& goal, const Stations& reached) const;
+  void remember_in_vain(const std::vector<Pose>& goals, const Stations& reached);
 
  private:
   struct Node {
@@ -108,7 +108,8 @@ class Roads {
   std::unordered_map<std::size_t, Links> next_;
   KnownGround known_;
   std::deque<Stations> realms_;
-  std::vector<std::pair<std::vector<Pose>, Stations>> in_vain_;
+  std::deque<Stations> searched_from_;
+  std::unordered_map<Pose, std::vector<const Stations*>, PoseHash> in_vain_;  // to a goal
 };
 
 }  // namespace selion

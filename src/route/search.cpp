@@ -25,6 +25,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMostLeft = 250;  // nodes: of ways found on real fields none needed 200
 constexpr double kGreed = 1.6;  // weight of the heuristic: within this factor of the best of its moves
 constexpr std::size_t kMostDepartures = 32;
+constexpr int kMostRounds = 4;
 constexpr std::size_t kMostShots = 3;      // goals tried from one place
 constexpr std::size_t kMostReplaced = 60;  // stretches put into one turn
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -65,7 +66,12 @@ class Search {
  public:
   Search(const Terrain& terrain, const std::vector<Pose>& from, const std::vector<Pose>& goals, Guide guide,
          KnownGround& known)
-      : terrain_{terrain}, goals_{goals}, guide_{std::move(guide)}, known_{known}, departures_{from.size()} {
+      : terrain_{terrain},
+        goals_{goals},
+        guide_{std::move(guide)},
+        known_{known},
+        departures_{from.size()},
+        tried_(goals.size()) {
     const double step = std::max(1.0, 0.6 / terrain.limits.curvature_per_m);
     add_moves(Gear::forward, step);
     if (terrain.may_reverse) add_moves(Gear::reverse, step);
@@ -75,6 +81,8 @@ class Search {
   }
 
   std::optional<Found> run();
+  /// Of the goals: has one turn into it been tried?
+  [[nodiscard]] const std::vector<bool>& tried() const { return tried_; }
 
  private:
   struct Move {
@@ -90,7 +98,7 @@ class Search {
   void expand(std::size_t node);
   [[nodiscard]] std::vector<std::size_t> foremost_departures() const;
   [[nodiscard]] std::vector<std::size_t> nearest_goals(Point p) const;
-  [[nodiscard]] std::optional<Arrival> shot(std::size_t node) const;
+  [[nodiscard]] std::optional<Arrival> shot(std::size_t node);
   [[nodiscard]] Found traced(std::size_t node, Arrival last) const;
 
   const Terrain& terrain_;
@@ -98,6 +106,7 @@ class Search {
   Guide guide_;
   KnownGround& known_;
   std::size_t departures_;  // the first nodes
+  std::vector<bool> tried_;
   std::vector<Move> moves_;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> best_;
@@ -186,10 +195,11 @@ std::vector<std::size_t> Search::nearest_goals(Point p) const {
 }
 
 /// One turn from there into one of the nearest goals.
-std::optional<Arrival> Search::shot(std::size_t node) const {
+std::optional<Arrival> Search::shot(std::size_t node) {
   const Pose& here = nodes_[node].pose;
   const double longest = 12 / terrain_.limits.curvature_per_m + 2 * guide_.to_goal_m(here.at);
   for (const std::size_t goal : nearest_goals(here.at)) {
+    tried_[goal] = true;
     if (dubins_length_m(here, goals_[goal], 1 / terrain_.limits.curvature_per_m) > longest) continue;
     Connections turns{here, goals_[goal], terrain_.swings};
     while (auto turn = turns.next()) {
@@ -250,18 +260,39 @@ Path shortened(const Terrain& terrain, Path path) {
   return path;
 }
 
-}  // namespace
-
-std::optional<Found> searched(const Terrain& terrain, const std::vector<Pose>& from,
-                              const std::vector<Pose>& goals, KnownGround& known) {
+/// Searches once; takes the goals that it came to in vain out of `goals`.
+std::optional<Found> searched_once(const Terrain& terrain, const std::vector<Pose>& from,
+                                   std::vector<Pose>& goals, KnownGround& known) {
   for (const double margin_m : {40.0, std::numeric_limits<double>::infinity()}) {
     Guide guide{terrain, from.front(), goals, margin_m};
     if (guide.to_goal_m(from.front().at) == kFar) continue;  // the way leads round about: look wider
-    auto found = Search{terrain, from, goals, std::move(guide), known}.run();
-    if (found) {
-      Path& way = found->arrival.way;
-      way = shortened(terrain, shortened(terrain, std::move(way)));
-    }
+    Search search{terrain, from, goals, std::move(guide), known};
+    auto found = search.run();
+    if (found) return found;
+    std::vector<Pose> untried;
+    for (std::size_t g = 0; g < goals.size(); ++g)
+      if (!search.tried()[g]) untried.push_back(goals[g]);
+    if (untried.size() == goals.size()) untried.clear();
+    goals = std::move(untried);
+    return std::nullopt;
+  }
+  goals.clear();
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// Round by round: goals near at hand that cannot be driven into draw a search away from the others.
+std::optional<Found> searched(const Terrain& terrain, const std::vector<Pose>& from,
+                              const std::vector<Pose>& goals, KnownGround& known) {
+  std::vector<Pose> left = goals;
+  for (int round = 0; round < kMostRounds && !left.empty(); ++round) {
+    auto found = searched_once(terrain, from, left, known);
+    if (!found) continue;
+    Path& way = found->arrival.way;
+    way = shortened(terrain, shortened(terrain, std::move(way)));
+    found->arrival.goal = static_cast<std::size_t>(
+        std::find(goals.begin(), goals.end(), left[found->arrival.goal]) - goals.begin());
     return found;
   }
   return std::nullopt;

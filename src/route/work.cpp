@@ -11,8 +11,7 @@
 namespace selion {
 namespace {
 
-constexpr int kGiveUpChain = 3;   // pieces of a chain not reached in a row
-constexpr int kGiveUpTasks = 24;  // pieces of any kind not reached in a row
+constexpr int kGiveUpChain = 3;  // pieces of a chain not reached in a row
 
 void move_to_end(std::vector<Task>& tasks, std::vector<Task>& from) {
   tasks.insert(tasks.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
@@ -63,26 +62,65 @@ void Work::swaths(const Progress& progress) {
     Chain chain = std::move(chains[entry.chain]);
     chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(entry.chain));
     if (entry.at_last) std::reverse(chain.begin(), chain.end());
-    work_chain(chain, entry.sense);
+    if (!work_chain(chain.begin(), chain.end(), entry.sense) && !work_one_of(chains)) break;
   }
+  for (const Chain& chain : chains)
+    for (const Swath* swath : chain) put_off_.push_back(task_of(*swath));
 }
 
-void Work::work_chain(const Chain& chain, Sense sense) {
+/// False where none of it is reached.
+bool Work::work_chain(Chain::const_iterator next, Chain::const_iterator end, Sense sense) {
   int failed = 0;
-  for (const Swath* swath : chain) {
+  bool any = false;
+  for (; next != end; ++next) {
+    const Swath& swath = **next;
     const Terrain& terrain = driver_.terrain();
     const Machine& machine = driver_.machine();
     if (failed >= kGiveUpChain ||  // the rest is no nearer: later, from elsewhere
-        (!driver_.turn_to(swath_task(terrain, machine, *swath, {sense})) &&
-         !driver_.drive_to(swath_task(terrain, machine, *swath, {sense, opposite(sense)})))) {
+        (!driver_.turn_to(swath_task(terrain, machine, swath, {sense})) &&
+         !driver_.drive_to(swath_task(terrain, machine, swath, {sense, opposite(sense)})))) {
       ++failed;
-      put_off_.push_back(swath_task(terrain, machine, *swath, {sense, opposite(sense)}));
+      put_off_.push_back(swath_task(terrain, machine, swath, {sense, opposite(sense)}));
       continue;
     }
     failed = 0;
-    const Point end = driver_.here()->at;  // the neighbour is driven back
-    sense = distance_m(end, swath->from) < distance_m(end, swath->to) ? Sense::forth : Sense::back;
+    any = true;
+    sense = sense_beside(swath);
   }
+  return any;
+}
+
+/// The neighbour is driven back.
+Sense Work::sense_beside(const Swath& swath) const {
+  const Point end = driver_.here()->at;
+  return distance_m(end, swath.from) < distance_m(end, swath.to) ? Sense::forth : Sense::back;
+}
+
+Task Work::task_of(const Swath& swath) const {
+  return swath_task(driver_.terrain(), driver_.machine(), swath, {Sense::forth, Sense::back});
+}
+
+/// Works the chain of which an end is reached most cheaply: one search for all, since most are as far out of
+/// reach as the nearest was. False where it reaches none.
+bool Work::work_one_of(std::vector<Chain>& chains) {
+  std::vector<std::pair<std::size_t, bool>> ends;  // which chain, and is it its last swath?
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    ends.emplace_back(i, false);
+    if (chains[i].size() > 1) ends.emplace_back(i, true);
+  }
+  const auto swath_at = [&](const auto& end) {
+    return end.second ? chains[end.first].back() : chains[end.first].front();
+  };
+  std::vector<Task> tasks;
+  for (const auto& end : ends) tasks.push_back(task_of(*swath_at(end)));
+  const auto reached = driver_.drive_to_one_of(tasks);
+  if (!reached) return false;
+  const auto [which, at_last] = ends[*reached];
+  Chain chain = std::move(chains[which]);
+  chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(which));
+  if (at_last) std::reverse(chain.begin(), chain.end());
+  work_chain(chain.begin() + 1, chain.end(), sense_beside(*chain.front()));
+  return true;
 }
 
 double Work::nearness_m(const Task& task) const {
@@ -91,27 +129,39 @@ double Work::nearness_m(const Task& task) const {
   return least;
 }
 
-/// Nearest first; what cannot be reached from here is tried again from elsewhere, at last given up.
+/// Nearest first. Where the nearest cannot be reached from here, whatever can; where nothing can, long ones
+/// are split.
 void Work::work_nearest(std::vector<Task> tasks) {
-  std::vector<Task> failed;
-  int in_a_row = 0;
-  while (!tasks.empty() && in_a_row < kGiveUpTasks) {
+  while (!tasks.empty()) {
     const auto next = std::min_element(tasks.begin(), tasks.end(), [this](const Task& a, const Task& b) {
       return nearness_m(a) < nearness_m(b);
     });
-    Task task = std::move(*next);
-    tasks.erase(next);
-    sort_nearest_first(task.ways, driver_.here());
-    if (driver_.drive_to(task)) {
-      move_to_end(tasks, failed);
-      in_a_row = 0;
-    } else if (!split(task, tasks)) {
-      failed.push_back(std::move(task));
-      ++in_a_row;
-    }
+    sort_nearest_first(next->ways, driver_.here());
+    if (driver_.drive_to(*next))
+      tasks.erase(next);
+    else if (!work_one_of(tasks) && !split_all(tasks))
+      break;
   }
-  move_to_end(put_off_, failed);
   move_to_end(put_off_, tasks);  // cut off from here
+}
+
+/// The task that is reached most cheaply; false where none is.
+bool Work::work_one_of(std::vector<Task>& tasks) {
+  for (Task& task : tasks) sort_nearest_first(task.ways, driver_.here());
+  std::stable_sort(tasks.begin(), tasks.end(),
+                   [this](const Task& a, const Task& b) { return nearness_m(a) < nearness_m(b); });
+  const auto reached = driver_.drive_to_one_of(tasks);
+  if (reached) tasks.erase(tasks.begin() + static_cast<std::ptrdiff_t>(*reached));
+  return reached.has_value();
+}
+
+/// False where none may be.
+bool Work::split_all(std::vector<Task>& tasks) const {
+  std::vector<Task> parts;
+  std::erase_if(tasks, [&](const Task& task) { return split(task, parts); });
+  const bool any = !parts.empty();
+  move_to_end(tasks, parts);
+  return any;
 }
 
 /// A long open pass that cannot be reached at its ends may be begun in its middle: two tasks of its id
@@ -128,8 +178,7 @@ bool Work::split(const Task& task, std::vector<Task>& into) const {
 
 void Work::pockets() {
   std::vector<Task> tasks;
-  for (const Swath& pocket : layout_.pockets)
-    tasks.push_back(swath_task(driver_.terrain(), driver_.machine(), pocket, {Sense::forth, Sense::back}));
+  for (const Swath& pocket : layout_.pockets) tasks.push_back(task_of(pocket));
   move_to_end(tasks, put_off_);
   work_nearest(std::move(tasks));
 }

@@ -39,10 +39,15 @@ class Work {
   };
 
   [[nodiscard]] Entry nearest_entry(const std::vector<Chain>& chains) const;
-  void work_chain(const Chain& chain, Sense sense);
+  bool work_chain(Chain::const_iterator next, Chain::const_iterator end, Sense sense);
+  bool work_one_of(std::vector<Chain>& chains);
+  [[nodiscard]] Sense sense_beside(const Swath& swath) const;
+  [[nodiscard]] Task task_of(const Swath& swath) const;
   [[nodiscard]] double nearness_m(const Task& task) const;
   void work_nearest(std::vector<Task> tasks);
+  bool work_one_of(std::vector<Task>& tasks);
   [[nodiscard]] bool split(const Task& task, std::vector<Task>& into) const;
+  [[nodiscard]] bool split_all(std::vector<Task>& tasks) const;
   void work_rings(RingOrder order, const std::vector<Point>& at_last, const std::optional<Point>& last_near);
   bool work_pass(const HeadlandPass& pass);
   bool work_parts(const HeadlandPass& pass);
