@@ -163,9 +163,22 @@ std::optional<Driver::Approach> Driver::approach(const std::vector<Goal>& goals)
   keep_cheaper(by(roads().way(*here_, poses, ways_back())));
   if (!best) best = turn_anyhow_into(goals);
   if (best && close && best->cost_m > kFarRound * longest_turn_m())
-    if (auto found = searched(terrain_, {*here_}, poses, roads().known_ground()))
-      keep_cheaper(by(std::move(found->arrival)));
+    keep_cheaper(shortcut(poses, best->cost_m));
   return best;
+}
+
+/// A way found by a search of the ground. Where there has been none at so many places in a row there is
+/// hardly one at the next: then it looks for one at each 16th only.
+std::optional<Driver::Approach> Driver::shortcut(const std::vector<Pose>& goals, double most_m) {
+  constexpr unsigned kEachTime = 16;
+  if (shortcuts_in_vain_ >= kEachTime && shortcuts_in_vain_ % kEachTime != 0) {
+    ++shortcuts_in_vain_;
+    return std::nullopt;
+  }
+  auto found = searched(terrain_, {*here_}, goals, roads().known_ground());
+  auto way = found ? by(std::move(found->arrival)) : std::nullopt;
+  shortcuts_in_vain_ = way && way->cost_m < most_m ? 0 : shortcuts_in_vain_ + 1;
+  return way;
 }
 
 }  // namespace selion

@@ -60,6 +60,7 @@ class Driver {
   [[nodiscard]] std::optional<Approach> turn_into(const std::vector<Goal>& goals, std::size_t most_goals);
   [[nodiscard]] std::optional<Approach> turn_anyhow_into(const std::vector<Goal>& goals);
   [[nodiscard]] std::optional<Approach> turn_led_into(const std::vector<Goal>& goals) const;
+  [[nodiscard]] std::optional<Approach> shortcut(const std::vector<Pose>& goals, double most_m);
   [[nodiscard]] std::optional<Approach> turn_slowly_into(const std::vector<Goal>& goals);
   [[nodiscard]] const Swings& swings(double wider);
   [[nodiscard]] const Swings& slower_swings(double speed_mps);
@@ -83,6 +84,7 @@ class Driver {
   std::map<double, Swings> slower_;
   std::optional<Pose> here_;
   std::vector<RoutePiece> driven_;
+  unsigned shortcuts_in_vain_ = 0;  // in a row
 };
 
 }  // namespace selion
