@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "layout/corner_shape.hpp"
+#include "layout/parts.hpp"
+#include "selion/core/machine.hpp"
+#include "selion/layout/layout.hpp"
 
 using namespace selion;
 
@@ -75,4 +78,38 @@ TEST_CASE("a corner is eased no further than its body needs", "[layout]") {
   CHECK(little < much);
   CHECK(shape_within(1.57, kLimits, kBody, 2).ease_out_m == 0);
   CHECK(shape_within(-1.57, kLimits, kBody, 0.02).ease_out_m == 0);
+}
+
+TEST_CASE("a tip too sharp to be driven round leaves the passes beside its long edge parallel to it",
+          "[layout]") {
+  Machine machine;
+  for (const MachinePreset& known : machine_presets())
+    if (known.name == "robot-3m") machine = known.machine;
+  const double sense = GENERATE(1.0, -1.0);  // the long edge before the tip, or after it
+  const double tip_x_m = 300;
+  Ring ring{{0, 0}, {tip_x_m, 0}, {240, 12}, {240, 80}, {0, 80}};
+  if (sense < 0) {
+    for (Point& p : ring) p.x_m = -p.x_m;
+    std::reverse(ring.begin(), ring.end());
+  }
+  Block block;
+  block.area = block.free = Polygon{ring, {}};
+  const Ground ground = ground_of(block, machine, 0.1);
+  const auto passes = lay_headland(ground, 2);
+  REQUIRE(passes.size() == 2);
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    REQUIRE(passes[i].closed);
+    const double beside_m = 0.1 + ring_inset_m(ground, passes[i].ring);
+    double longest_m = 0;
+    for (const Stretch& stretch : passes[i].path) {
+      const Point end = end_of(stretch.curve).at;
+      if (is_straight(stretch.curve) && stretch.curve.start.y_m < 20 && end.y_m < 20 &&
+          stretch.curve.length_m > 100) {
+        CHECK(stretch.curve.start.y_m == Approx(beside_m).margin(0.02));
+        CHECK(end.y_m == Approx(beside_m).margin(0.02));
+        longest_m = std::max(longest_m, stretch.curve.length_m);
+      }
+    }
+    CHECK(longest_m > 200);
+  }
 }

@@ -160,13 +160,25 @@ bool CornerLine::slide(Index i, Index corner) {
   return found;
 }
 
+/// A tip too sharp to be driven round is cut off, across both its edges or where one of them, the longer one
+/// first, leaves room; without it the line would lead askew from one end of a long edge to the other.
+void CornerLine::blunt(Index i) {
+  if (vertices_[i].turn_rad > 0) {
+    if (chamfer_wish_m(i) <= std::min(length_m(edge(previous(i))), length_m(edge(i))) / 2) return chamfer(i);
+    const bool after_is_longer = length_m(edge(i)) > length_m(edge(previous(i)));
+    if (slide(after_is_longer ? previous(i) : i, i) || slide(after_is_longer ? i : previous(i), i)) return;
+  }
+  drop(i);
+}
+
 /// Edge i is too short for the corners at its ends. A left turn may be cut or left out, for that leads
 /// inwards.
 void CornerLine::relieve(Index i) {
   const Index j = next(i);
   const bool i_too_sharp = std::isinf(vertices_[i].reach.after_m);
-  if (!i_too_sharp && std::isinf(vertices_[j].reach.before_m)) return drop(j);
-  if (i_too_sharp || length_m(edge(i)) < kShortestEdge_m) return drop(i);
+  if (!i_too_sharp && std::isinf(vertices_[j].reach.before_m)) return blunt(j);
+  if (length_m(edge(i)) < kShortestEdge_m) return drop(i);
+  if (i_too_sharp) return blunt(i);
   if (merge(i)) return;
   const bool i_left = vertices_[i].turn_rad > 0;
   const bool j_left = vertices_[j].turn_rad > 0;

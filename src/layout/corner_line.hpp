@@ -73,6 +73,7 @@ class CornerLine {
   void drop(Index i);
   void replace(Index i, const std::vector<Vertex>& by);
   void relieve(Index i);
+  void blunt(Index i);
   bool merge(Index i);
   bool slide(Index i, Index corner);
   [[nodiscard]] Path corner_at(Index i) const;
@@ -84,6 +85,7 @@ class CornerLine {
   bool swing_wide(Index i);
   [[nodiscard]] std::vector<Vertex> wide(Index i, double by_rad) const;
   [[nodiscard]] bool fits_wide(Index i, const std::vector<Vertex>& wide) const;
+  [[nodiscard]] double chamfer_wish_m(Index i) const;
   void chamfer(Index i);
   void swing_out(Index i);
 

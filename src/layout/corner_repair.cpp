@@ -40,12 +40,18 @@ bool CornerLine::ease(Index i) {
   return was_gentle || (less_room && (v.shape.ease_in_m > 0 || v.shape.ease_out_m > 0));
 }
 
+/// How far from a left turn the two corners have to lie that it is cut into.
+double CornerLine::chamfer_wish_m(Index i) const {
+  const Vertex& v = vertices_[i];
+  const double half = v.turn_rad / 2;
+  const CornerReach reach = reach_of(half, tight_shape(half, v.room_m));
+  return std::max(kPush_m, 1.02 * (reach.before_m + reach.after_m) / (2 * std::cos(half)));
+}
+
 /// Cuts a left turn off, with room for the two corners that come of it; leaves it out where that was tried.
 void CornerLine::chamfer(Index i) {
   const Vertex v = vertices_[i];
-  const double half = v.turn_rad / 2;
-  const CornerReach reach = reach_of(half, tight_shape(half, v.room_m));
-  const double wish = std::max(kPush_m, 1.02 * (reach.before_m + reach.after_m) / (2 * std::cos(half)));
+  const double wish = chamfer_wish_m(i);
   const double before = std::min(wish, length_m(edge(v.previous)) / 2);
   const double after = std::min(wish, length_m(edge(i)) / 2);
   if (v.cut && std::min(before, after) < wish) return drop(i);
