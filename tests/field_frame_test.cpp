@@ -117,6 +117,25 @@ TEST_CASE("the convergence is zero on the central meridian and its formula besid
   CHECK((up.lon_deg > there.lon_deg) == (frame.convergence_deg(east) > 0));
 }
 
+TEST_CASE("bearings are true where the frame keeps no angles", "[field][frame]") {
+  // Europe's equal area frame (EPSG:3035) far from its centre; 100 m to the north-east on the ellipsoid
+  const LonLat here{26, 62};
+  const auto frame = LocalFrame::of_crs("EPSG:3035", here);
+  const auto tangent = LocalFrame::centred(here);
+  const Point at = frame.to_local(here);
+  int askew = 0;
+  for (const double bearing : {0.0, 30.0, 45.0, 90.0, 135.0, -60.0}) {
+    CAPTURE(bearing);
+    const double heading = radians_of_degrees(90 - bearing);
+    const Point ahead = frame.to_local(tangent.to_lonlat(100 * unit(heading))) - at;
+    const Point unit_ahead = (1 / length_m(ahead)) * ahead;
+    CHECK(frame.bearing_deg(at, unit_ahead) == Approx(bearing).margin(1e-3));
+    const double leaning = 90 - degrees_of_radians(heading_rad(ahead)) + frame.convergence_deg(at);
+    askew += std::abs(std::remainder(leaning - bearing, 360)) > 0.05 ? 1 : 0;
+  }
+  CHECK(askew > 0);
+}
+
 TEST_CASE("a clone of a frame gives the same metres", "[field][frame]") {
   const auto frame = LocalFrame::centred(kHere);
   const auto copy = frame.cloned();

@@ -210,18 +210,20 @@ LonLat LocalFrame::to_lonlat(Point p) const {
   return found;
 }
 
-double LocalFrame::convergence_deg(Point p) const {
+double LocalFrame::bearing_deg(Point p, Point ahead) const {
   constexpr double kStep_m = 50;  // long against rounding, short against the change of convergence
-  const LonLat south = to_lonlat(p - Point{0, kStep_m});
-  const LonLat north = to_lonlat(p + Point{0, kStep_m});
-  const double middle_rad = radians_of_degrees((south.lat_deg + north.lat_deg) / 2);
+  const LonLat from = to_lonlat(p - kStep_m * ahead);
+  const LonLat to = to_lonlat(p + kStep_m * ahead);
+  const double middle_rad = radians_of_degrees((from.lat_deg + to.lat_deg) / 2);
   constexpr double kFlatteningSquared = 0.00669437999014;  // e2 of WGS84
   const double w2 = 1 - kFlatteningSquared * std::sin(middle_rad) * std::sin(middle_rad);
-  const double east = std::remainder(north.lon_deg - south.lon_deg, 360) * std::cos(middle_rad);
+  const double east = std::remainder(to.lon_deg - from.lon_deg, 360) * std::cos(middle_rad);
   const double up =
-      (north.lat_deg - south.lat_deg) * (1 - kFlatteningSquared) / w2;  // radii M : N = (1 - e2) : w2
+      (to.lat_deg - from.lat_deg) * (1 - kFlatteningSquared) / w2;  // radii M : N = (1 - e2) : w2
   return degrees_of_radians(std::atan2(east, up));
 }
+
+double LocalFrame::convergence_deg(Point p) const { return bearing_deg(p, {0, 1}); }
 
 LocalFrame LocalFrame::cloned() const { return {proj_, origin_}; }
 

@@ -13,9 +13,13 @@
 namespace selion {
 namespace {
 
-/// A compass heading in the local frame, whose north leans by the convergence.
+/// A compass heading in the local frame, whose north leans by the convergence, and which may keep no angles.
 double local_heading_rad(const LocalFrame& frame, Point at, double bearing_deg) {
-  return radians_of_degrees(90 - bearing_deg + frame.convergence_deg(at));
+  constexpr int kSteps = 3;  // each leaves a thousandth of the error and less
+  double heading = radians_of_degrees(90 - bearing_deg + frame.convergence_deg(at));
+  for (int i = 0; i < kSteps; ++i)
+    heading += radians_of_degrees(std::remainder(frame.bearing_deg(at, unit(heading)) - bearing_deg, 360));
+  return heading;
 }
 
 /// Sets direction and heading as `layout.direction` says.

@@ -146,8 +146,7 @@ LonLatArea to_lonlat(const LocalFrame& frame, const Polygon& area) {
 }
 
 double true_bearing_deg(const LocalFrame& frame, Point p, double heading_rad) {
-  const double bearing =
-      std::fmod(Heading::radians(heading_rad).bearing_deg() + frame.convergence_deg(p) + 360, 360);
+  const double bearing = std::fmod(frame.bearing_deg(p, unit(heading_rad)) + 360, 360);
   return bearing >= 359.99999 ? 0 : bearing;  // what rounding leaves of north
 }
 

@@ -26,6 +26,9 @@ class LocalFrame {
     return proj_;
   }  ///< PROJ string of the plane, false origin included
   [[nodiscard]] LonLat origin() const { return origin_; }
+  /// True bearing at p of the unit vector `ahead` of the frame, clockwise from north, -180 to 180 degrees.
+  /// Not its own bearing and the convergence where the frame keeps no angles.
+  [[nodiscard]] double bearing_deg(Point p, Point ahead) const;
   /// Grid convergence at p: bearing of the frame's north (y) clockwise from true north, degrees.
   [[nodiscard]] double convergence_deg(Point p) const;
   [[nodiscard]] LocalFrame cloned() const;
