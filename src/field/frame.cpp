@@ -157,7 +157,7 @@ namespace {
 
 /// A projection made for another place would make every width and length wrong.
 void check_scale(const LocalFrame& frame, const std::string& code, LonLat origin) {
-  constexpr double kMost = 0.002;  // national grids and UTM zones stay within 0.1 %
+  constexpr double kMost = 0.001;  // national grids and UTM zones stay within that
   constexpr double kSpan_m = 200;
   const LocalFrame exact = LocalFrame::centred(origin);
   for (const Point to : {Point{kSpan_m, 0}, Point{0, kSpan_m}}) {

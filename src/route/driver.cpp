@@ -47,15 +47,20 @@ double Driver::longest_turn_m() const {
 
 /// The pose `run_in_m` before the work begins: from there the tool is brought down on a straight line. Nearer
 /// where the machine does not fit so far back.
-Pose Driver::before(const Pose& start) const {
+Pose Driver::before(const Pose& start, double run_in_m) const {
   constexpr std::array kShares{1.0, 0.75, 0.5, 0.25};
-  if (machine_.run_in_m <= 0) return start;
+  if (run_in_m <= 0) return start;
   for (const double share : kShares) {
-    const Point begin = start.at - share * machine_.run_in_m * unit(start.heading_rad);
+    const Point begin = start.at - share * run_in_m * unit(start.heading_rad);
     if (stays_inside(space_, terrain_.footprint, {{line(begin, start.at), Gear::forward}}))
       return {begin, start.heading_rad};
   }
   return start;
+}
+
+/// Where no way leads to a run-in, the tool is brought down where the work begins.
+std::vector<double> Driver::run_ins_m() const {
+  return machine_.run_in_m > 0 ? std::vector{machine_.run_in_m, 0.0} : std::vector{0.0};
 }
 
 std::vector<Path> Driver::ways_back() const {
@@ -69,9 +74,9 @@ void Driver::work(const Task& task, const Path& way, const Path& work) {
   here_ = end_pose(work);
 }
 
-std::vector<Driver::Goal> Driver::goals_of(const Task& task) const {
+std::vector<Driver::Goal> Driver::goals_of(const Task& task, double run_in_m) const {
   std::vector<Goal> goals;
-  for (const Way& way : task.ways) goals.push_back({before(way.start), way.rest_m});
+  for (const Way& way : task.ways) goals.push_back({before(way.start, run_in_m), way.rest_m});
   return goals;
 }
 
@@ -86,41 +91,44 @@ void Driver::drive_by(const Task& task, const std::vector<Goal>& goals, Approach
 
 bool Driver::turn_to(const Task& task) {
   if (!here_ || task.ways.empty()) return false;
-  const std::vector<Goal> goals = goals_of(task);
-  auto turn = turn_into(goals, terrain_.swings, longest_turn_m(), goals.size());
-  if (!turn || turn->cost_m > longest_turn_m()) return false;
-  drive_by(task, goals, std::move(*turn));
-  return true;
+  for (const double run_in_m : run_ins_m()) {
+    const std::vector<Goal> goals = goals_of(task, run_in_m);
+    auto turn = turn_into(goals, terrain_.swings, longest_turn_m(), goals.size());
+    if (!turn || turn->cost_m > longest_turn_m()) continue;
+    drive_by(task, goals, std::move(*turn));
+    return true;
+  }
+  return false;
 }
 
 bool Driver::drive_to(const Task& task) {
   if (task.ways.empty()) return false;
-  if (!here_) {
-    work(task, {}, path_of(task, task.ways.front()));
-    return true;
-  }
-  const std::vector<Goal> goals = goals_of(task);
-  std::optional<Approach> best = approach(goals);
-  if (!best) return false;
-  drive_by(task, goals, std::move(*best));
+  if (here_) return drive_to_one_of({task}).has_value();
+  work(task, {}, path_of(task, task.ways.front()));
   return true;
 }
 
 std::optional<std::size_t> Driver::drive_to_one_of(const std::vector<Task>& tasks) {
-  std::vector<Goal> goals;
-  std::vector<std::size_t> first_goal;
-  for (const Task& task : tasks) {
-    first_goal.push_back(goals.size());
-    for (const Goal& goal : goals_of(task)) goals.push_back(goal);
+  if (!here_) return std::nullopt;
+  for (const double run_in_m : run_ins_m()) {
+    std::vector<Goal> goals;
+    std::vector<std::size_t> first_goal;
+    first_goal.reserve(tasks.size());
+    for (const Task& task : tasks) {
+      first_goal.push_back(goals.size());
+      const std::vector<Goal> its = goals_of(task, run_in_m);
+      goals.insert(goals.end(), its.begin(), its.end());
+    }
+    if (goals.empty()) return std::nullopt;
+    std::optional<Approach> best = approach(goals);
+    if (!best) continue;
+    const auto beyond = std::upper_bound(first_goal.begin(), first_goal.end(), best->goal);
+    const auto task = static_cast<std::size_t>(beyond - first_goal.begin()) - 1;
+    best->goal -= first_goal[task];
+    drive_by(tasks[task], goals_of(tasks[task], run_in_m), std::move(*best));
+    return task;
   }
-  if (!here_ || goals.empty()) return std::nullopt;
-  std::optional<Approach> best = approach(goals);
-  if (!best) return std::nullopt;
-  const auto beyond = std::upper_bound(first_goal.begin(), first_goal.end(), best->goal);
-  const auto task = static_cast<std::size_t>(beyond - first_goal.begin()) - 1;
-  best->goal -= first_goal[task];
-  drive_by(tasks[task], goals_of(tasks[task]), std::move(*best));
-  return task;
+  return std::nullopt;
 }
 
 void Driver::drive_along(const Path& way, const Task& task) {

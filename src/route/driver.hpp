@@ -67,11 +67,12 @@ class Driver {
   [[nodiscard]] Approach or_ahead(Approach way, const Pose& goal);
   [[nodiscard]] std::optional<Approach> by(std::optional<Arrival> arrival) const;
   [[nodiscard]] Roads& roads();
-  [[nodiscard]] std::vector<Goal> goals_of(const Task& task) const;
+  [[nodiscard]] std::vector<Goal> goals_of(const Task& task, double run_in_m) const;
+  [[nodiscard]] std::vector<double> run_ins_m() const;
   void drive_by(const Task& task, const std::vector<Goal>& goals, Approach approach);
   void work(const Task& task, const Path& way, const Path& work);
   [[nodiscard]] std::vector<Path> ways_back() const;
-  [[nodiscard]] Pose before(const Pose& start) const;
+  [[nodiscard]] Pose before(const Pose& start, double run_in_m) const;
   [[nodiscard]] double longest_turn_m() const;
 
   const Layout& layout_;

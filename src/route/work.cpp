@@ -111,8 +111,9 @@ bool Work::work_one_of(std::vector<Chain>& chains) {
   const auto swath_at = [&](const auto& end) {
     return end.second ? chains[end.first].back() : chains[end.first].front();
   };
-  std::vector<Task> tasks;
-  for (const auto& end : ends) tasks.push_back(task_of(*swath_at(end)));
+  std::vector<Task> tasks(ends.size());
+  std::transform(ends.begin(), ends.end(), tasks.begin(),
+                 [&](const auto& end) { return task_of(*swath_at(end)); });
   const auto reached = driver_.drive_to_one_of(tasks);
   if (!reached) return false;
   const auto [which, at_last] = ends[*reached];

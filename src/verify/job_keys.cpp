@@ -54,7 +54,7 @@ std::vector<std::string> unknown_keys(const std::string& job_json) {
       continue;
     }
     for (const auto& [key, value] : keys.items())
-      if (std::ranges::find(known, key) == known.end()) unknown.push_back(table + "." + key);
+      if (std::ranges::find(known, key) == known.end()) unknown.emplace_back(table).append(".").append(key);
   }
   return unknown;
 }
