@@ -278,3 +278,32 @@ TEST_CASE("an obstacle beside a field that falls into blocks is named in the pla
   REQUIRE(planned->file.obstacles.size() == 1);
   CHECK(planned->file.obstacles.front().name == "pole");
 }
+
+TEST_CASE("a run-in keeps a machine out of no swath that it reaches without", "[plan]") {
+  const Field field = field_of_metres({{{{0, 0}, {60, 0}, {60, 90}, {0, 90}}, {}}});
+  const std::string ahead = "[machine]\nmay_reverse = false\n";
+  const std::string one_pass = "[headland]\npasses = 1\n";
+  const auto without = plan(field, job_of_toml(ahead + one_pass), Repair::notes_only, no_progress);
+  REQUIRE(without.has_value());
+  for (const std::string run_in : {"0.5", "3"}) {
+    const Job job = job_of_toml(ahead + "run_in_m = " + run_in + "\n" + one_pass);
+    const auto planned = plan(field, job, Repair::notes_only, no_progress);
+    REQUIRE(planned.has_value());
+    CHECK(joined(faults_of(*planned, job.machine)) == "");
+    CHECK(planned->blocks.at(0).covered_m2 > without->blocks.at(0).covered_m2 - 20);
+  }
+}
+
+TEST_CASE("a machine backs over no swath where the way forwards takes hardly longer", "[plan]") {
+  const Field field = sample("l_shape.geojson");
+  const auto planned = plan(field, Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  double run_m = 0;
+  double longest_m = 0;
+  for (const TrajectoryRecord& trajectory : planned->file.trajectories)
+    for (const PieceRecord& piece : trajectory.pieces) {
+      run_m = piece.gear < 0 ? run_m + piece.length_m : 0;
+      longest_m = std::max(longest_m, run_m);
+    }
+  CHECK(longest_m < 20);
+}

@@ -14,6 +14,8 @@ namespace selion {
 namespace {
 
 constexpr double kCostStep_m = 3;
+constexpr double kShortRun = 5;   // radii: so far backwards is part of a turn
+constexpr double kBackwards = 1;  // extra cost of a metre backwards beyond that: it is driven without a view
 
 constexpr double kMiss = 1e-7;  // m, rad: a tenth of what joints may miss
 
@@ -160,11 +162,16 @@ double stop_m(const Machine& machine, double speed_mps) {
 }
 
 double cost_m(const Terrain& terrain, const Path& path) {
+  const double short_run_m = kShortRun / terrain.limits.curvature_per_m;
   double cost = 0;
+  double backwards_m = 0;  // without a break
   const Stretch* last = nullptr;
   for (const Stretch& stretch : path) {
     cost += slowed_m(terrain.machine, stretch) + kOverMainland * over_mainland_m(terrain, stretch);
     if (last != nullptr) cost += standing_m(terrain, *last, stretch);
+    const double before_m = backwards_m;
+    backwards_m = stretch.gear == Gear::reverse ? backwards_m + stretch.curve.length_m : 0;
+    cost += kBackwards * std::max(0.0, backwards_m - std::max(before_m, short_run_m));
     last = &stretch;
   }
   if (last == nullptr) return 0;

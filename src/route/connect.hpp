@@ -29,8 +29,8 @@ constexpr double kOverMainland =
 double stop_m(const Machine& machine, double speed_mps);
 
 /// Cost of a way between work ahead, in metres at turn speed: its own, more where a curve must be driven more
-/// slowly, three times those over the mainland, and what could be driven in the time of its stops, pivots and
-/// steering while standing.
+/// slowly, twice those of long runs backwards, three times those over the mainland, and what could be driven
+/// in the time of its stops, pivots and steering while standing.
 double cost_m(const Terrain& terrain, const Path& path);
 
 /// Nothing, or straight on, where the goal lies there but for a tenth of what joints may miss: swings to mend
