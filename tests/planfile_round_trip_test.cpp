@@ -93,7 +93,7 @@ struct Chance {
   PlanFile plan() {
     PlanFile p = sample_plan();
     p.version = text();
-    p.proj = text();
+    p.proj = "+proj=tmerc +lat_0=" + std::to_string(whole(-80, 80)) + " +ellps=WGS84";
     p.origin = place();
     p.summary = {{"a", between(-1e9, 1e9)}, {"Z_9", between(-1, 1)}};
     p.warnings = {text(), text()};

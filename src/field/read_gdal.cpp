@@ -46,6 +46,9 @@ using Dataset = std::unique_ptr<void, Close>;
 
 Dataset opened(const std::string& path, const std::string& label, const GdalMessages& messages) {
   SELION_GDAL(GDALAllRegister)();
+  if (void* vrt = SELION_GDAL(GDALGetDriverByName)("OGR_VRT");
+      vrt != nullptr)  // it opens whatever its text names
+    SELION_GDAL(GDALDeregisterDriver)(static_cast<GDALDriverH>(vrt));
   Dataset dataset{SELION_GDAL(GDALOpenEx)(
       path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr)};
   if (dataset) return dataset;

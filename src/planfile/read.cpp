@@ -153,6 +153,7 @@ void read_header(const JsonNode& root, std::string_view raw, PlanFile& plan) {
   plan.version = header->at("version").text();
   plan.id = header->at("id").text();
   plan.proj = header->at("frame").at("proj").text();
+  check(header->at("frame").at("proj"), problem_of_frame(plan.proj));
   plan.origin = header->at("frame").at("origin").position();
   check(header->at("frame").at("origin"), problem_of(plan.origin));
   plan.job_json = compacted(raw_member(raw, "job"));

@@ -73,6 +73,21 @@ Problem problem_of(const std::vector<LonLatArea>& parts) {
   return std::nullopt;
 }
 
+Problem problem_of_frame(const std::string& proj) {
+  constexpr std::size_t kLongest = 1000;
+  constexpr auto kOfFiles =
+      std::to_array<std::string_view>({"grids=", "file=", "model=", "init=", "pipeline"});
+  if (proj.size() > kLongest) return "proj is longer than " + std::to_string(kLongest) + " characters";
+  if (std::ranges::any_of(proj, [](unsigned char c) { return c < ' ' || c > '~' || c == '/' || c == '\\'; }))
+    return "proj has characters that no projection has";
+  for (const std::string_view word : kOfFiles)
+    if (const auto at = proj.find(word);
+        at != std::string::npos &&
+        proj.compare(at, std::string_view{"grids=@null"}.size(), "grids=@null") != 0)
+      return "proj names a file or a chain of steps; a frame is one projection";
+  return std::nullopt;
+}
+
 Problem problem_of(const std::vector<SummaryFigure>& summary) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
   std::set<std::string_view> seen;

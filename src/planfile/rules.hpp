@@ -26,6 +26,8 @@ Problem problem_of(LonLat position);
 Problem problem_of_line(const LonLatLine& line);
 Problem problem_of(const LonLatArea& area);
 Problem problem_of(const std::vector<LonLatArea>& parts);
+/// Of a frame: PROJ would read whatever file its string names.
+Problem problem_of_frame(const std::string& proj);
 /// Keys are of letters, digits and underscores, each once.
 Problem problem_of(const std::vector<SummaryFigure>& summary);
 Problem problem_of(const ObstacleRecord& obstacle);

@@ -146,6 +146,9 @@ std::vector<OwnerData> opened_archive(const std::string& file) {
 
 std::vector<OwnerData> owner_data(const fs::path& file) {
   SELION_OGR(GDALAllRegister)();
+  if (void* vrt = SELION_OGR(GDALGetDriverByName)("OGR_VRT");
+      vrt != nullptr)  // it opens whatever its text names
+    SELION_OGR(GDALDeregisterDriver)(static_cast<GDALDriverH>(vrt));
   const std::string ending = ending_of(file);
   if (ending == ".zip" || ending == ".kmz" || ending == ".shz") return opened_archive(file.string());
   const bool of_shapefile = ending == ".shx" || ending == ".dbf";
