@@ -295,3 +295,19 @@ TEST_CASE("a frame by code is known for the one that the job names", "[verify]")
   plan.job_json.replace(at, code.size(), "auto");
   CHECK_THAT(text_of(verify(plan, std::nullopt)), Catch::StartsWith("frame"));
 }
+
+TEST_CASE("work taken out of a plan is found although every record is consistent", "[verify]") {
+  PlanFile file = written(sample("l_shape.geojson"), "");
+  CHECK(text_of(verify(file, std::nullopt)).find("left_unworked") == std::string::npos);
+  std::erase_if(file.swaths, [](const SwathRecord&) { return true; });
+  for (TrajectoryRecord& trajectory : file.trajectories)
+    for (PieceRecord& piece : trajectory.pieces)
+      if (piece.kind == "swath") {
+        piece.kind = "transfer";
+        piece.ref.clear();
+        piece.tool = 0;
+      }
+  CHECK(text_of(verify(file, std::nullopt)).find("left_unworked") != std::string::npos);
+  file.warnings.emplace_back("Block 1 is only partly planned: 99.0 % of it is covered.");
+  CHECK(text_of(verify(file, std::nullopt)).find("left_unworked") != std::string::npos);
+}

@@ -28,15 +28,16 @@ std::optional<double> passes_before(const Driven& driven) {
 }  // namespace
 
 /// Lines that are not reached at first are worked after all others, whatever they are: of a headland that is
-/// worked last, that may be many swaths.
+/// worked last, that may be many swaths. The drive begins with what the job has first, all the same.
 void check_order(Case& plan, const Driven& driven) {
   constexpr double kFew = 0.1;
   const std::string& asked = plan.vehicle.work.headland_order;
   const auto before = passes_before(driven);
   if (!before || asked == "none" || (asked == "first" ? *before >= kFew : *before <= 1 - kFew)) return;
-  const auto pass = std::ranges::find_if(
-      driven.pieces, [](const PieceLine& p) { return p.record().kind == "headland_pass"; });
-  plan.findings.add("headland_order", driven.record->block, pass->spot(0).at,
+  const auto first =
+      std::ranges::find_if(driven.pieces, [](const PieceLine& p) { return p.record().tool == 1; });
+  if (first->record().kind == (asked == "first" ? "headland_pass" : "swath")) return;
+  plan.findings.add("headland_order", driven.record->block, first->spot(0).at,
                     {*before, asked == "first" ? kFew : 1 - kFew},
                     "the job has the headland worked " + asked + "; " + shown(100 * *before, 0) +
                         " % of it is worked before the swaths");
