@@ -307,3 +307,15 @@ TEST_CASE("a machine backs over no swath where the way forwards takes hardly lon
     }
   CHECK(longest_m < 20);
 }
+
+TEST_CASE("a machine that pivots works a field without a headland by backing a little way from the border",
+          "[plan]") {
+  const Field field = field_of_metres({{{{0, 0}, {40, 0}, {40, 60}, {0, 60}}, {}}});
+  const Job job = job_of_toml("[machine]\npreset = \"husky\"\n[headland]\npasses = 0\n");
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, job.machine)) == "");
+  CHECK(planned->blocks.at(0).covered_m2 > 0.96 * planned->blocks.at(0).area_m2);
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(block.turn_m + block.transfer_m < 0.3 * block.work_m);
+}

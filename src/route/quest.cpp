@@ -75,12 +75,21 @@ bool Quest::leaves_by_turns(std::size_t node) const {
          crow_m(at) < close_m;
 }
 
-/// To the goals, and to the roads.
+/// A turn to an end, and what is driven from there.
+Link Quest::link_into(const End& end, const Pose& from) const {
+  Link link = link_between(terrain_, first_goal() + end.goal, from, end.pose);
+  link.after = &end.run;
+  link.least_m += end.run_m;
+  return link;
+}
+
+/// To the goals, where near also to places to run into them from, and to the roads.
 Roads::Links& Quest::turns_of(Start& start) {
   if (start.turns) return *start.turns;
   Roads::Links& turns = start.turns.emplace();
-  for (std::size_t g = 0; g < goals_.size(); ++g)
-    turns.push_back(link_between(terrain_, first_goal() + g, start.pose, goals_[g]));
+  for (const End& end : ends_)
+    if (end.run.empty() || distance_m(start.pose.at, end.pose.at) <= roads_.reach_m())
+      turns.push_back(link_into(end, start.pose));
   for (const std::size_t node : roads_.likely_after(start.pose))
     turns.push_back(link_between(terrain_, node, start.pose, roads_.pose(node)));
   return turns;

@@ -56,6 +56,7 @@ class Quest {
   [[nodiscard]] double dubins_m(const Pose& at) const;
   double rest_m(std::size_t node);
   [[nodiscard]] bool leaves_by_turns(std::size_t node) const;
+  [[nodiscard]] Link link_into(const End& end, const Pose& from) const;
   Roads::Links& turns_of(Start& start);
   void join(std::size_t end);
   void join_near(Point at);

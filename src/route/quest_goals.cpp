@@ -39,10 +39,7 @@ double Quest::crow_m(Point at) const {
 void Quest::join(std::size_t end) {
   ends_[end].joined = true;
   for (const std::size_t node : roads_.likely_before(ends_[end].pose)) {
-    Link link = link_between(terrain_, first_goal() + ends_[end].goal, roads_.pose(node), ends_[end].pose);
-    link.after = &ends_[end].run;
-    link.least_m += ends_[end].run_m;
-    Link* kept = &end_links_.emplace_back(std::move(link));
+    Link* kept = &end_links_.emplace_back(link_into(ends_[end], roads_.pose(node)));
     ends_[end].turns.emplace_back(node, kept);
     to_ends_[node].push_back(kept);
   }
