@@ -38,6 +38,9 @@ TEST_CASE("a machine's value out of range is named with the range", "[core]") {
   CHECK_THROWS_WITH(validate(with(&Machine::work_speed_mps, 5)), Contains("above 0 to max_speed_mps = 3"));
   CHECK_THROWS_WITH(validate(with(&Machine::front_m, nan)),
                     Contains("machine.front_m = a number that is not"));
+  CHECK_THROWS_WITH(validate(with(&Machine::max_steer_deg, 0.001)),
+                    Contains("machine.max_steer_deg = 0.001 makes a tightest turn of") &&
+                        Contains("m radius; at most 1000"));
   CHECK_NOTHROW(validate(with(&Machine::safety_radius_m, 0)));
 }
 

@@ -109,6 +109,11 @@ void validate(const Machine& m) {
       {"guidance_sd_m", m.guidance_sd_m, 0, 10, true},
   });
   for (const Rule& rule : rules) check(rule);
+  constexpr double kWidest_m = 1000;  // as of min_turn_radius_m
+  if (const double radius_m = 1 / max_curvature_per_m(m); radius_m > kWidest_m)
+    throw InputError{"machine.max_steer_deg = " + short_text(m.max_steer_deg) + " makes a tightest turn of " +
+                     short_text(std::round(radius_m)) + " m radius; at most " + short_text(kWidest_m) +
+                     " are planned with"};
 }
 
 }  // namespace selion
