@@ -37,6 +37,23 @@ struct Ground {
                   machine};
 };
 
+/// Out of the one a gap leads round a corner into the other.
+Polygon two_yards() {
+  return {{{0, 0},
+           {40, 0},
+           {40, 14},
+           {44, 14},
+           {44, 0},
+           {70, 0},
+           {70, 30},
+           {44, 30},
+           {44, 18},
+           {40, 18},
+           {40, 30},
+           {0, 30}},
+          {}};
+}
+
 bool reverses(const Path& path) {
   return std::any_of(path.begin(), path.end(), [](const Stretch& s) { return s.gear == Gear::reverse; });
 }
@@ -95,20 +112,7 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
 }
 
 TEST_CASE("what one search has learned of the ground leads the next one nowhere else", "[route]") {
-  // out of a yard through a gap and round a corner
-  const Ground ground{Polygon{{{0, 0},
-                               {40, 0},
-                               {40, 14},
-                               {44, 14},
-                               {44, 0},
-                               {70, 0},
-                               {70, 30},
-                               {44, 30},
-                               {44, 18},
-                               {40, 18},
-                               {40, 30},
-                               {0, 30}},
-                              {}}};
+  const Ground ground{two_yards()};
   const std::vector<Pose> from{{{10, 6}, kPi}};
   KnownGround known;
   for (const Pose& goal : {Pose{{60, 22}, kPi / 2}, Pose{{58, 6}, kPi}, Pose{{60, 22}, -kPi / 2}}) {
@@ -127,20 +131,7 @@ TEST_CASE("what one search has learned of the ground leads the next one nowhere 
 
 TEST_CASE("goals near at hand that cannot be driven into keep no search from one far off", "[route]") {
   // their backs to the wall of the first yard, the way out of which leads round a corner
-  const Ground ground{Polygon{{{0, 0},
-                               {40, 0},
-                               {40, 14},
-                               {44, 14},
-                               {44, 0},
-                               {70, 0},
-                               {70, 30},
-                               {44, 30},
-                               {44, 18},
-                               {40, 18},
-                               {40, 30},
-                               {0, 30}},
-                              {}},
-                      only_ahead(robot())};
+  const Ground ground{two_yards(), only_ahead(robot())};
   const double rear_m = ground.machine.rear_m + 0.1;
   std::vector<Pose> goals;
   for (int i = 0; i < 5; ++i) goals.push_back({{6.0 + 5 * i, rear_m}, kPi / 2});

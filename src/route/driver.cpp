@@ -125,7 +125,8 @@ std::optional<std::size_t> Driver::drive_to_one_of(const std::vector<Task>& task
     const auto beyond = std::upper_bound(first_goal.begin(), first_goal.end(), best->goal);
     const auto task = static_cast<std::size_t>(beyond - first_goal.begin()) - 1;
     best->goal -= first_goal[task];
-    drive_by(tasks[task], goals_of(tasks[task], run_in_m), std::move(*best));
+    goals.erase(goals.begin(), goals.begin() + static_cast<std::ptrdiff_t>(first_goal[task]));
+    drive_by(tasks[task], goals, std::move(*best));
     return task;
   }
   return std::nullopt;

@@ -81,7 +81,7 @@ class Search {
   }
 
   std::optional<Found> run();
-  /// Of the goals: has one turn into it been tried?
+  /// Of each goal: has a turn into it been tried?
   [[nodiscard]] const std::vector<bool>& tried() const { return tried_; }
 
  private:

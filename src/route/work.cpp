@@ -111,6 +111,12 @@ bool Work::work_one_of(std::vector<Chain>& chains) {
   const auto swath_at = [&](const auto& end) {
     return end.second ? chains[end.first].back() : chains[end.first].front();
   };
+  const auto far = [&](const auto& end) {
+    const Point here = driver_.here()->at;
+    return std::min(distance_m(here, swath_at(end)->from), distance_m(here, swath_at(end)->to));
+  };
+  if (driver_.here())
+    std::stable_sort(ends.begin(), ends.end(), [&](const auto& a, const auto& b) { return far(a) < far(b); });
   std::vector<Task> tasks(ends.size());
   std::transform(ends.begin(), ends.end(), tasks.begin(),
                  [&](const auto& end) { return task_of(*swath_at(end)); });
