@@ -102,6 +102,7 @@ TEST_CASE("a frame needs a projected CRS in metres", "[field][frame]") {
                  }),
                  "not a projected CRS"));  // US survey feet
   CHECK(mentions(error_of([] { LocalFrame::of_crs("EPSG:999999", kHere); }), "not known"));
+  CHECK(mentions(error_of([] { LocalFrame::of_crs("EPSG:2193", kHere); }), "is made for another place"));
 }
 
 TEST_CASE("the convergence is zero on the central meridian and its formula beside it", "[field][frame]") {

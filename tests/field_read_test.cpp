@@ -257,7 +257,7 @@ TEST_CASE("archives, missing files and folders are told apart", "[field][read]")
   CHECK(mentions(error_of([&] { read_file(text.path().parent_path()); }), "folder"));
   CHECK(mentions(error_of([&] { read_file("nowhere.geojson"); }), "does not exist"));
   const TemporaryFile tiff{"a.tif", std::string{"II*\0\x08\0\0\0", 8}};
-  CHECK(mentions(error_of([&] { read_file(tiff.path()); }), "cannot be read"));
+  CHECK(mentions(error_of([&] { read_file(tiff.path()); }), "is no vector file"));
 }
 
 TEST_CASE("the paper's field is the same from GeoJSON, zipped shapefile, CSV and KML", "[field][read]") {
@@ -303,6 +303,18 @@ TEST_CASE("a KML file is read across its folders and repaired with notes", "[fie
 
 TEST_CASE("a function that the installed GDAL lacks is refused by name", "[field][read]") {
   CHECK_THROWS_WITH(gdal_function("GDALNoSuchFunction"), Catch::Contains("GDALNoSuchFunction"));
+}
+
+TEST_CASE("a file whose text names another place to read is not followed", "[field][read]") {
+  const TemporaryFile secret{"secret.geojson", R"({"type":"Polygon","coordinates":)" + kSquare + "}"};
+  const auto refused = [](const char* name, const std::string& text) {
+    const TemporaryFile file{name, text};
+    return mentions(error_of([&] { read_file(file.path()); }), "is no vector file that GDAL reads");
+  };
+  CHECK(refused("field.vrt", "<OGRVRTDataSource><OGRVRTLayer name=\"secret\"><SrcDataSource>" +
+                                 secret.path().string() +
+                                 "</SrcDataSource></OGRVRTLayer></OGRVRTDataSource>"));
+  CHECK(refused("field.xml", "<OGRWFSDataSource><URL>http://localhost:9/wfs</URL></OGRWFSDataSource>"));
 }
 
 TEST_CASE("reading leaves nothing beside the file", "[field][read]") {

@@ -120,8 +120,9 @@ std::string proj_string_of(const ProjContext& context, const std::string& code, 
   if (proj.find("+datum=WGS84") == std::string::npos && proj.find("+towgs84=") == std::string::npos) {
     const auto shift = shift_to_wgs84(context, crs.get(), at);
     if (!shift)
-      throw InputError{where +
-                       " is tied to WGS84 by a grid only, which a plan cannot carry; give another, or auto"};
+      throw InputError{where + " is not tied to WGS84 at " + place(at) +
+                       " by numbers that a plan can carry: it needs a grid, or is made for another place; "
+                       "give another, or auto"};
     if (const auto datum = proj.find(" +datum="); datum != std::string::npos) {
       const auto end = std::min(proj.find(' ', datum + 1), proj.size());
       const ProjObject ellipsoid{proj_get_ellipsoid(context.get(), crs.get())};

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 
 #include <cpl_error.h>
 #include <cpl_vsi.h>
+#include <gdal.h>
 
 #include "file_bytes.hpp"
 #include "gdal_library.hpp"
@@ -20,6 +22,17 @@ void CPL_STDCALL keep(CPLErr severity, CPLErrorNum /*number*/, const char* text)
   if (severity == CE_Warning &&
       std::find(messages->warnings.begin(), messages->warnings.end(), text) == messages->warnings.end())
     messages->warnings.emplace_back(text);
+}
+
+std::vector<const char*> trusted_drivers() {
+  SELION_GDAL(GDALAllRegister)();
+  std::vector<const char*> names;
+  for (int i = 0; i < SELION_GDAL(GDALGetDriverCount)(); ++i) {
+    const std::string_view name = SELION_GDAL(GDALGetDriverShortName)(SELION_GDAL(GDALGetDriver)(i));
+    if (name != "OGR_VRT" && name != "WFS") names.push_back(name.data());
+  }
+  names.push_back(nullptr);
+  return names;
 }
 
 }  // namespace
@@ -64,6 +77,11 @@ std::string gdal_file_bytes(const std::string& path, const std::string& label) {
 bool gdal_file_exists(const std::string& path) {
   VSIStatBufL about{};
   return SELION_GDAL(VSIStatExL)(path.c_str(), &about, VSI_STAT_EXISTS_FLAG) == 0;
+}
+
+const char* const* gdal_drivers() {
+  static const std::vector<const char*> drivers = trusted_drivers();
+  return drivers.data();
 }
 
 }  // namespace selion

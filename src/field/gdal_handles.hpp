@@ -42,4 +42,8 @@ class MemoryFolder {
 std::string gdal_file_bytes(const std::string& path, const std::string& label);
 bool gdal_file_exists(const std::string& path);
 
+/// The names of the drivers that may open a user's file, ended by a null: all but those that open whatever
+/// place the file's text names.
+const char* const* gdal_drivers();
+
 }  // namespace selion

@@ -45,14 +45,14 @@ struct Close {
 using Dataset = std::unique_ptr<void, Close>;
 
 Dataset opened(const std::string& path, const std::string& label, const GdalMessages& messages) {
-  SELION_GDAL(GDALAllRegister)();
-  if (void* vrt = SELION_GDAL(GDALGetDriverByName)("OGR_VRT");
-      vrt != nullptr)  // it opens whatever its text names
-    SELION_GDAL(GDALDeregisterDriver)(static_cast<GDALDriverH>(vrt));
-  Dataset dataset{SELION_GDAL(GDALOpenEx)(
-      path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr)};
+  Dataset dataset{SELION_GDAL(GDALOpenEx)(path.c_str(),
+                                          GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                          gdal_drivers(), nullptr, nullptr)};
   if (dataset) return dataset;
-  throw_first(messages, path, label);
+  const bool unknown =
+      !messages.failures.empty() &&
+      messages.failures.front().find("not recognized as a supported file format") != std::string::npos;
+  if (!unknown) throw_first(messages, path, label);
   throw InputError{label +
                    " is no vector file that GDAL reads; export the field as GeoJSON, KML or shapefile"};
 }

@@ -72,11 +72,24 @@ std::string text_of(const fs::path& path) {
   return text;
 }
 
+/// All but those that open whatever place the file's text names; a null ends them.
+std::vector<const char*> trusted_drivers() {
+  SELION_OGR(GDALAllRegister)();
+  std::vector<const char*> names;
+  for (int i = 0; i < SELION_OGR(GDALGetDriverCount)(); ++i) {
+    const char* name = SELION_OGR(GDALGetDriverShortName)(SELION_OGR(GDALGetDriver)(i));
+    if (std::string_view{name} != "OGR_VRT" && std::string_view{name} != "WFS") names.push_back(name);
+  }
+  names.push_back(nullptr);
+  return names;
+}
+
 /// `kept` stays as long as the data set is open.
 OwnerData opened(const std::string& path, const std::string& label,
                  const std::shared_ptr<MemoryFolder>& kept) {
-  void* data =
-      SELION_OGR(GDALOpenEx)(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
+  static const std::vector<const char*> drivers = trusted_drivers();
+  void* data = SELION_OGR(GDALOpenEx)(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.data(),
+                                      nullptr, nullptr);
   if (data == nullptr)
     throw InputError{label + ": OGR cannot read it; give the field as a vector file with polygons"};
   return {{data, [kept, close = SELION_OGR(GDALClose)](void* open) { close(open); }}, label, path};
@@ -145,10 +158,6 @@ std::vector<OwnerData> opened_archive(const std::string& file) {
 }  // namespace
 
 std::vector<OwnerData> owner_data(const fs::path& file) {
-  SELION_OGR(GDALAllRegister)();
-  if (void* vrt = SELION_OGR(GDALGetDriverByName)("OGR_VRT");
-      vrt != nullptr)  // it opens whatever its text names
-    SELION_OGR(GDALDeregisterDriver)(static_cast<GDALDriverH>(vrt));
   const std::string ending = ending_of(file);
   if (ending == ".zip" || ending == ".kmz" || ending == ".shz") return opened_archive(file.string());
   const bool of_shapefile = ending == ".shx" || ending == ".dbf";
