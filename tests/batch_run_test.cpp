@@ -233,6 +233,8 @@ TEST_CASE("a file of a folder that cannot be read is one result", "[batch]") {
   small_fields(scratch.at / "in/below", 2);
   std::ofstream{scratch.at / "in/a.geojson"} << "{\"type\": \"Feat";
   std::ofstream{scratch.at / "in/notes.md"} << "no field file";
+  fs::create_directories(scratch.at / "in/.hidden");
+  small_fields(scratch.at / "in/.hidden", 2);
   // the batch's own folder may lie among the fields
   BatchOptions options = small_batch(scratch.at / "in", scratch.at / "in/out");
   CHECK(run_batch(options, nobody()).total() == 3);
@@ -241,6 +243,16 @@ TEST_CASE("a file of a folder that cannot be read is one result", "[batch]") {
   const std::string table = files_below(options.folder).at("results.csv");
   CHECK_THAT(table, Contains("\n1,a.geojson,,,a.geojson,error,"));
   CHECK_THAT(table, Contains("\n2,below/small.geojson,,1,\"field, 1\",done,"));
+}
+
+TEST_CASE("a batch writes into no folder that it reads", "[batch]") {
+  const BatchScratch scratch;
+  fs::create_directories(scratch.at / "in");
+  small_fields(scratch.at / "in", 2);
+  const auto before = files_below(scratch.at / "in");
+  CHECK_THROWS_WITH(run_batch(small_batch(scratch.at / "in", scratch.at / "in/../in"), nobody()),
+                    Contains("is to be read and written to"));
+  CHECK(files_below(scratch.at / "in") == before);
 }
 
 TEST_CASE("a batch of one file that cannot be read begins nothing", "[batch]") {

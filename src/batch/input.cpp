@@ -42,7 +42,9 @@ void collect(const fs::path& root, const fs::path& left_out, std::vector<InputFi
     std::error_code ignored;
     const bool folder = entry->is_directory(ignored);
     const bool dataset = folder && lower_ending(path) == ".gdb";
-    if (folder && (dataset || fs::equivalent(path, left_out, ignored))) entry.disable_recursion_pending();
+    const bool hidden = path.filename().string().starts_with('.');
+    if (folder && (dataset || hidden || fs::equivalent(path, left_out, ignored)))
+      entry.disable_recursion_pending();
     const bool endless = entry->is_fifo(ignored) || entry->is_character_file(ignored);  // or never written to
     if (is_field_file(path) && (!folder || dataset) && !endless)
       files.push_back({path, path.lexically_relative(root).generic_string()});
@@ -133,6 +135,9 @@ std::vector<InputFile> input_files(const fs::path& fields, const fs::path& batch
   if (!fs::exists(fields, ignored)) throw InputError{fields.string() + " does not exist; check the name"};
   if (!fs::is_directory(fields, ignored) || lower_ending(fields) == ".gdb")
     return {{fields, fields.filename().string()}};
+  if (fs::equivalent(fields, batch_folder, ignored))
+    throw InputError{fields.string() +
+                     " is to be read and written to: plans would lie among the fields; give another -o DIR"};
   std::vector<InputFile> files;
   collect(fields, batch_folder, files);
   std::ranges::sort(files, {}, &InputFile::name);

@@ -15,8 +15,9 @@ struct InputFile {
   std::string name;  ///< below the folder that was given
 };
 
-/// The file, or all field files of the folder and those below, by name. What lies in `batch_folder` is none.
-/// @throws InputError where there is none.
+/// The file, or all field files of the folder and those below, by name; what is hidden or lies in
+/// `batch_folder` is none.
+/// @throws InputError where there is none, or the two folders are one.
 std::vector<InputFile> input_files(const std::filesystem::path& fields,
                                    const std::filesystem::path& batch_folder);
 
