@@ -117,5 +117,8 @@ TEST_CASE("a write that fails takes back what it began", "[cli]") {
 TEST_CASE("names from files cannot rule the terminal", "[cli]") {
   CHECK(printable("a\x1b[31mb\n") == "a [31mb ");
   CHECK(printable("\xC2\x9Bx") == " x");
-  CHECK(printable("F\xC3\xBCld") == "F\xC3\xBCld");
+  CHECK(printable("F\xC3\xBCld \xE2\x80\x94") == "F\xC3\xBCld \xE2\x80\x94");
+  CHECK(printable("a\xE2\x80\xAE"
+                  "b\xE2\x81\xA6"
+                  "c\xE2\x80") == "a b c\xE2\x80");
 }

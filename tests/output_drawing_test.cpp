@@ -75,6 +75,8 @@ TEST_CASE("text that is no valid UTF-8 becomes text that XML takes", "[output][d
   CHECK(printable("a\tb\x01"
                   "c") == "a b c");
   CHECK(printable("caf\xC3\xA9") == "caf\xC3\xA9");
+  CHECK(printable("a\xE2\x80\xAE"
+                  "b\xE2\x81\xA6") == "a b ");
   CHECK(printable("\xFF").size() == 3);  // U+FFFD
 }
 

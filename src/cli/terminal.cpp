@@ -21,16 +21,25 @@ bool is_dumb() {
   return kind == nullptr || std::string_view{kind} == "dumb";
 }
 
+/// Bytes of the control character, or of the mark that turns the direction of text, which `text` begins with;
+/// 0: of none.
+std::size_t ruling_bytes(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
+  if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
+  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
+  const bool embeds = byte(1) == 0x80 && byte(2) >= 0xaa && byte(2) <= 0xae;    // U+202A to U+202E
+  const bool isolates = byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;  // U+2066 to U+2069
+  return byte(0) == 0xe2 && (embeds || isolates) ? 3 : 0;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
   std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
-    const bool c1 = byte == 0xc2 && next >= 0x80 && next < 0xa0;  // control characters of two bytes in UTF-8
-    if (c1) ++i;
-    out += c1 || byte < 0x20 || byte == 0x7f ? ' ' : text[i];
+  while (!text.empty()) {
+    const std::size_t ruling = ruling_bytes(text);
+    out += ruling > 0 ? ' ' : text.front();
+    text.remove_prefix(std::max<std::size_t>(ruling, 1));
   }
   return out;
 }

@@ -10,7 +10,8 @@ namespace selion::cli {
 
 enum class Loudness { quiet, normal };
 
-/// `text` without control characters: names from files may hold what would rule the terminal.
+/// `text` without control characters and marks that turn the direction of text: names from files may hold
+/// what would rule the terminal.
 std::string printable(std::string_view text);
 
 /// What is said on standard error, and results beside it. Safe to use from several threads.

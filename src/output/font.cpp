@@ -188,7 +188,8 @@ std::string printable(const std::string& text) {
     const gunichar letter = g_utf8_get_char(at);
     const bool control =
         letter < 0x20 || (letter >= 0x7F && letter < 0xA0) || letter == 0xFFFE || letter == 0xFFFF;
-    if (control)
+    const bool turns_text = (letter >= 0x202A && letter <= 0x202E) || (letter >= 0x2066 && letter <= 0x2069);
+    if (control || turns_text)
       clean += ' ';
     else
       clean.append(at, static_cast<std::size_t>(g_utf8_next_char(at) - at));
