@@ -201,6 +201,24 @@ TEST_CASE("strips left of an AB line are counted and lie where width, overlap an
   CHECK(text_of(verify(plan, std::nullopt)) == "");
 }
 
+TEST_CASE("pieces of a strip far from each other are in line though the AB line is short", "[verify]") {
+  const int step = GENERATE(range(0, 12));  // the decimals of some AB lines point aside
+  const double tower_m = 16.1 + 0.07 * step;
+  const double high_m = 43 + 0.13 * step;
+  CAPTURE(step);
+  const Field field = field_of_metres({{{{0, 0},
+                                         {1500, 0},
+                                         {1500, 40},
+                                         {1480, 40},
+                                         {1480, 16},
+                                         {tower_m, 16},
+                                         {tower_m, high_m},
+                                         {0, high_m}},
+                                        {}}});
+  const PlanFile plan = written(field, "[layout]\ndirection = 90\n");
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
 TEST_CASE("only the gate that is driven through has to be wide enough", "[verify]") {
   PlanFile plan = written(sample("gates_obstacles.geojson"), "[route]\nstart = \"gate:2\"\n");
   REQUIRE(plan.gates.size() == 2);

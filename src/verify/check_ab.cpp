@@ -31,10 +31,14 @@ class AbCheck {
       : plan_{plan},
         ab_{ab},
         a_{plan.plane.to_local(ab.a)},
-        ahead_{unit(heading_rad(plan.plane.to_local(ab.b) - a_))},
-        length_m_{distance_m(a_, plan.plane.to_local(ab.b))} {}
+        way_{plan.plane.to_local(ab.b) - a_},
+        length_m_{distance_m({}, way_)},
+        ahead_{unit(heading_rad(longest_way()))} {}
 
   void run() {
+    if (const double askew = std::abs(cross(ahead_, way_)); !(askew <= kLine_m && dot(ahead_, way_) > 0))
+      say("ab", a_, {askew, kLine_m},
+          "the AB line does not run as the longest swath does: " + shown(askew, 3) + " m askew");
     const double points = bearing_deg(plan_.plane, a_, ahead_);
     bearing("the AB line", ab_.bearing_deg, points, 360);
     for (const CellRecord& cell : plan_.plan.cells)
@@ -49,6 +53,17 @@ class AbCheck {
  private:
   void say(const char* code, Point at, Measured measured, const std::string& what) {
     plan_.findings.add(code, ab_.block, at, measured, what);
+  }
+
+  /// From A to B, or of a longer swath: over a large field a short line's decimals tell too little.
+  [[nodiscard]] Point longest_way() const {
+    Point longest = way_;
+    for (const SwathRecord& swath : plan_.plan.swaths) {
+      if (swath.block != ab_.block || !strip_of(swath.id)) continue;
+      const Point way = plan_.plane.to_local(swath.line.back()) - plan_.plane.to_local(swath.line.front());
+      if (distance_m({}, way) > distance_m({}, longest)) longest = way;
+    }
+    return longest;
   }
 
   [[nodiscard]] double rounding_deg() const {
@@ -148,8 +163,9 @@ class AbCheck {
   Case& plan_;
   const AbRecord& ab_;
   Point a_;
-  Point ahead_;
+  Point way_;  ///< from A to B
   double length_m_;
+  Point ahead_;
 };
 
 }  // namespace
