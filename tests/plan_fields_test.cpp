@@ -227,6 +227,43 @@ TEST_CASE("the one swath of a bent band little wider than the machine lies in it
   CHECK(planned->blocks.at(0).covered_m2 >= 0.6 * planned->blocks.at(0).area_m2);
 }
 
+TEST_CASE("a band that bends is worked along its borders where swaths cover less", "[plan]") {
+  const Field band = field_of_metres(
+      {{{{0, 0}, {60, 0}, {100, 30}, {100, 90}, {94.6, 90}, {94.6, 32.7}, {58.2, 5.4}, {0, 5.4}}, {}}});
+  const auto planned = plan(band, Job{}, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, Machine{})) == "");
+  CHECK(planned->blocks.at(0).swaths == 0);
+  CHECK(planned->blocks.at(0).covered_m2 >= 0.8 * planned->blocks.at(0).area_m2);
+  CHECK(joined(planned->notes).find("worked along its borders") != std::string::npos);
+}
+
+TEST_CASE("an arm too narrow to go round in is worked along its sides, not across", "[plan]") {
+  const double wide_m = GENERATE(5.2, 7.2);
+  CAPTURE(wide_m);
+  const Field field =
+      field_of_metres({{{{0, 0}, {160, 0}, {160, wide_m}, {40, wide_m}, {40, 90}, {0, 90}}, {}}});
+  const auto planned = plan(field, job_of_toml("[layout]\ndirection = 0\n"), Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, Machine{})) == "");
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(block.covered_m2 >= 0.95 * block.area_m2);
+  CHECK(block.turns < 40);
+  for (const SwathRecord& swath : planned->file.swaths)
+    if (!swath.cell.empty()) CHECK(swath.length_m >= swath.width_m);
+}
+
+TEST_CASE("a tool ahead of the axle needs no deep headland", "[plan]") {
+  const Field field = field_of_metres({{{{0, 0}, {60, 0}, {60, 90}, {0, 90}}, {}}});
+  const std::string machine =
+      GENERATE("preset = \"p3\"\ntool_x_m = 2.4\n", "preset = \"robot-3m\"\ntool_x_m = 2\n");
+  const Job job = job_of_toml("[machine]\n" + machine + "[headland]\npasses = 1\n");
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, job.machine)) == "");
+  CHECK(planned->blocks.at(0).covered_m2 >= 0.97 * planned->blocks.at(0).area_m2);
+}
+
 TEST_CASE("what is too narrow for one swath is refused by width", "[plan]") {
   const Field path = field_of_metres({{{{0, 0}, {300, 0}, {300, 3.4}, {0, 3.4}}, {}}});
   const auto planned = plan(path, Job{}, Repair::notes_only, no_progress);

@@ -114,7 +114,7 @@ TEST_CASE("corners are rounded in a block where filling them leaves pockets out 
   std::istringstream nothing;
   ReadOptions crooked;
   crooked.layer = "world_mix";
-  crooked.field = "cz_zadosti23:41";
+  crooked.field = "be_vlg2023:79";
   const Field field =
       read_fields(kPublic.parent_path() / "batch" / "fields_batch.gpkg", crooked, nothing).at(0);
   Job job = job_of(settings_of_toml("[machine]\npreset = \"tractor-6m\"\n", "test"));

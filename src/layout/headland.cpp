@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -51,6 +52,46 @@ Polygons without_slits(const Ground& ground, const Polygons& areas) {
   return intersect(outset(inset(areas, narrow_m), narrow_m, kSharpest), areas);
 }
 
+Polygons swept_on(const Ground& ground, const Path& path) {
+  Polygons swept;
+  for (Ring& piece : swept_by_tool(ground.footprint, path)) swept.push_back({std::move(piece), {}});
+  return swept;
+}
+
+constexpr double kLeastInSlit = 1.5;  // of the working width: a shorter run is not worth a pass
+
+/// Along one side of the slit, and along the other where that works more.
+void add_runs_in(const Ground& ground, const Polygon& slit, double room_m, std::vector<HeadlandRun>& runs) {
+  constexpr double kLeastNew = 0.15;  // of the working width, not worked by the runs before
+  const double width_m = ground.machine.working_width_m;
+  std::vector<HeadlandRun> sides = drivable_along(ground, slit.shell, room_m);
+  std::stable_sort(sides.begin(), sides.end(), [](const HeadlandRun& a, const HeadlandRun& b) {
+    return length_m(a.path) > length_m(b.path);
+  });
+  Polygons worked;
+  for (HeadlandRun& side : sides) {
+    const double side_m = length_m(side.path);
+    Polygons swept = swept_on(ground, side.path);
+    if (side_m < kLeastInSlit * width_m || area_m2(subtract(swept, worked)) < kLeastNew * width_m * side_m)
+      continue;
+    worked.insert(worked.end(), std::make_move_iterator(swept.begin()), std::make_move_iterator(swept.end()));
+    runs.push_back(std::move(side));
+  }
+}
+
+/// In long slits, which no ring goes round in: a machine that may reverse gets out of their dead ends.
+std::vector<HeadlandRun> runs_in_slits(const Ground& ground, const Polygons& all, const Polygons& wide,
+                                       double room_m) {
+  std::vector<HeadlandRun> runs;
+  if (!ground.machine.may_reverse) return runs;
+  for (const Polygon& slit : subtract(all, outset_round(wide, kFollow_m))) {
+    const Box box = bounds(slit.shell);
+    if (distance_m(box.low, box.high) >= 2 * kLeastInSlit * ground.machine.working_width_m)
+      add_runs_in(ground, slit, room_m, runs);
+  }
+  return runs;
+}
+
 HeadlandPass pass_of(const Ground& ground, std::size_t number, int ring, HeadlandRun run) {
   const bool either_way = fits(ground.space, ground.footprint, turned_round(run.path));
   return {"H" + std::to_string(number), ring, std::move(run.path), run.closed, {}, either_way};
@@ -92,11 +133,16 @@ double swing_out_room_m(const Ground& ground, int ring) {
 
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
   std::vector<HeadlandPass> laid;
-  for (int ring = 1; ring <= passes; ++ring)
-    for (const Ring& line :
-         rings_of(without_slits(ground, inset(ground.workable, ring_inset_m(ground, ring)))))
-      for (HeadlandRun& run : drivable_along(ground, line, swing_out_room_m(ground, ring)))
-        laid.push_back(pass_of(ground, laid.size() + 1, ring, std::move(run)));
+  for (int ring = 1; ring <= passes; ++ring) {
+    const Polygons all = inset(ground.workable, ring_inset_m(ground, ring));
+    const Polygons wide = without_slits(ground, all);
+    const double room_m = swing_out_room_m(ground, ring);
+    const auto lay = [&](std::vector<HeadlandRun> runs) {
+      for (HeadlandRun& run : runs) laid.push_back(pass_of(ground, laid.size() + 1, ring, std::move(run)));
+    };
+    for (const Ring& line : rings_of(wide)) lay(drivable_along(ground, line, room_m));
+    lay(runs_in_slits(ground, all, wide, room_m));
+  }
   return laid;
 }
 

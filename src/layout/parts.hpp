@@ -67,8 +67,9 @@ struct HeadlandRun {
 /// swing out of the lane by `room_m`.
 std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, double room_m);
 
+/// Of at least `least_m`, unless all are shorter.
 std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
-                              AbLine& ab);
+                              double least_m, AbLine& ab);
 
 /// What of the workable ground headland passes, swaths and these pocket pieces leave.
 Polygons unworked(const Ground& ground, const Layout& layout, const std::vector<Swath>& pockets);

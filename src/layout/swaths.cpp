@@ -84,8 +84,12 @@ std::optional<Swath> trimmed(const Ground& ground, Swath piece) {
     if (length < 2 * kTrim_m) return std::nullopt;
     const Path there = swath_path(ground.machine, piece.from, piece.to);
     const Path back = swath_path(ground.machine, piece.to, piece.from);
-    const bool far_end = fits(ground.space, ground.footprint, end_pose(there));
-    const bool near_end = fits(ground.space, ground.footprint, end_pose(back));
+    const auto both_fit = [&](const Path& begun, const Path& ended) {
+      return fits(ground.space, ground.footprint, start_pose(begun)) &&
+             fits(ground.space, ground.footprint, end_pose(ended));
+    };
+    const bool far_end = both_fit(back, there);
+    const bool near_end = both_fit(there, back);
     if (far_end && near_end)
       return fits(ground.space, ground.footprint, there) ? std::optional{piece} : std::nullopt;
     const Point step = (kTrim_m / length) * (piece.to - piece.from);
@@ -204,8 +208,8 @@ std::vector<Swath> swaths_where_longest(const Ground& ground, const Polygons& ma
   return longest;
 }
 
-std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
-                                double heading) {
+std::vector<Swath> swaths_from_side(const Ground& ground, const Polygons& mainland,
+                                    const LayoutOptions& options, double heading) {
   const double width = ground.machine.working_width_m;
   const Axes axes{unit(heading), -1 * left_of(unit(heading))};
   const AxisExtent across = extent_of(mainland, axes.right);
@@ -221,6 +225,15 @@ std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, 
   return length_of_all_m(others) > length_of_all_m(swaths) ? others : swaths;
 }
 
+/// Without those shorter than `least_m`, unless there are no others.
+std::vector<Swath> swaths_along(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
+                                double heading, double least_m) {
+  std::vector<Swath> swaths = swaths_from_side(ground, mainland, options, heading);
+  const auto is_short = [&](const Swath& swath) { return distance_m(swath.from, swath.to) < least_m; };
+  if (!std::all_of(swaths.begin(), swaths.end(), is_short)) std::erase_if(swaths, is_short);
+  return swaths;
+}
+
 double length_of_strip_m(const std::vector<Swath>& swaths, int strip) {
   double sum = 0;
   for (const Swath& swath : swaths)
@@ -231,18 +244,18 @@ double length_of_strip_m(const std::vector<Swath>& swaths, int strip) {
 }  // namespace
 
 std::vector<Swath> lay_swaths(const Ground& ground, const Polygons& mainland, const LayoutOptions& options,
-                              AbLine& ab) {
+                              double least_m, AbLine& ab) {
   if (options.ab) {
     ab = *options.ab;
-    return swaths_along(ground, mainland, options, heading_rad(ab.b - ab.a));
+    return swaths_along(ground, mainland, options, heading_rad(ab.b - ab.a), least_m);
   }
   const double heading = options.heading_rad.value_or(options.along.radians());
-  std::vector<Swath> swaths = swaths_along(ground, mainland, options, heading);
+  std::vector<Swath> swaths = swaths_along(ground, mainland, options, heading, least_m);
   if (swaths.empty()) return swaths;
   // numbered from the longer side: a long AB line, and the shifted last strip where it overlaps least
   if (!options.heading_rad &&
       length_of_strip_m(swaths, swaths.back().strip) > length_of_strip_m(swaths, swaths.front().strip) + 1)
-    swaths = swaths_along(ground, mainland, options, heading + std::numbers::pi);
+    swaths = swaths_along(ground, mainland, options, heading + std::numbers::pi, least_m);
   const auto last = std::find_if(swaths.rbegin(), swaths.rend(),
                                  [&](const Swath& swath) { return swath.strip == swaths.front().strip; });
   ab = {swaths.front().from, last->to};

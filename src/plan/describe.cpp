@@ -221,7 +221,7 @@ std::vector<std::string> notes_of(const PlannedBlock& planned) {
   notes.insert(notes.end(), planned.route.notes.begin(), planned.route.notes.end());
   if (planned.block.gates.empty())
     notes.emplace_back(
-        "No gate was given: the drive starts at the first swath and ends where the work is done.");
+        "No gate was given: the drive starts where the first work is and ends where the work is done.");
   std::string ids;
   for (const std::string& id : planned.route.left_out) ids += (ids.empty() ? "" : ", ") + id;
   if (!ids.empty()) notes.push_back("Left out, for the machine finds no way there and back: " + ids + ".");

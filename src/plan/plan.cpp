@@ -40,9 +40,10 @@ LocalFrame frame_of(const Field& field, const Job& job) {
                                  : LocalFrame::of_crs(job.frame.crs, centre(field));
 }
 
-Result<Layout> lay_out(const Block& block, const LocalFrame& frame, const Job& job) {
-  const auto options = layout_options(block, frame, job);
+Result<Layout> lay_out(const Block& block, const LocalFrame& frame, const Job& job, Interior interior) {
+  auto options = layout_options(block, frame, job);
   if (!options) return options.error();
+  options->interior = interior;
   const auto kinds = layouts();
   const auto kind = std::find_if(kinds.begin(), kinds.end(),
                                  [&](const LayoutKind& k) { return k.name == job.layout.kind; });
@@ -58,9 +59,9 @@ RouteOptions route_options(const Block& block, const Job& job) {
 }
 
 Result<PlannedBlock> plan_as_told(const Block& block, const LocalFrame& frame, const Job& job,
-                                  const Progress& progress) {
+                                  const Progress& progress, Interior interior = Interior::swaths) {
   progress("laying out", 0);
-  auto layout = lay_out(block, frame, job);
+  auto layout = lay_out(block, frame, job, interior);
   if (!layout) return layout.error();
   auto driven = route(block, *layout, job.machine, route_options(block, job), progress);
   if (!driven) return driven.error();
@@ -80,6 +81,12 @@ std::string fewer_note(int passes, int needed) {
   return "It is planned with " + std::to_string(passes) +
          (passes == 1 ? " headland pass" : " headland passes") + " instead of the " + std::to_string(needed) +
          " that turns need: inside those lies no swath.";
+}
+
+std::string passes_alone_note(int passes) {
+  return "It is worked along its borders, by " + std::to_string(passes) +
+         (passes == 1 ? " headland pass" : " headland passes") +
+         " alone: it is too narrow, or bends too much, for swaths to cover more.";
 }
 
 Infeasible hardly_covered(const Infeasible& why, const PlannedBlock& best) {
@@ -102,6 +109,12 @@ Result<PlannedBlock> plan_inside_fewer(const Infeasible& refused, const Block& b
     auto other = plan_as_told(block, frame, job, progress);
     if (other) other->route.notes.push_back(fewer_note(passes, needed));
     if (!best || covers_more(other, best)) best = std::move(other);
+  }
+  if (!best || !covers(*best, kPlannedShare)) {
+    job.headland.passes.reset();
+    auto along = plan_as_told(block, frame, job, progress, Interior::nothing);
+    if (along) along->route.notes.push_back(passes_alone_note(along->layout.passes));
+    if (covers_more(along, best)) best = std::move(along);
   }
   if (best && !covers(*best, kWorthIt)) return hardly_covered(refused, *best);
   return best;

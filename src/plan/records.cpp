@@ -162,7 +162,7 @@ void add_records(PlanFile& file, const PlannedBlock& planned, const Drive& drive
   const double bearing = true_bearing_deg(frame, ab.a, heading_rad(ab.b - ab.a));
   CellRecord cell{block.number, "1", {}, std::fmod(bearing, 180)};
   for (const Polygon& part : planned.layout.mainland) cell.parts.push_back(to_lonlat(frame, part));
-  file.cells.push_back(std::move(cell));
+  if (!cell.parts.empty()) file.cells.push_back(std::move(cell));
   file.ab_lines.push_back({block.number, frame.to_lonlat(ab.a), frame.to_lonlat(ab.b), bearing});
   add_headland(file, planned, frame, machine);
   add_swaths(file, planned, frame, machine);

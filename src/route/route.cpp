@@ -58,9 +58,12 @@ void leave(Driver& driver, const BlockGate& gate, Route& told) {
     told.notes.push_back(askew_note(gate, *there, "ends"));
 }
 
-bool works_a_swath(const std::vector<RoutePiece>& pieces) {
-  return std::any_of(pieces.begin(), pieces.end(),
-                     [](const RoutePiece& piece) { return piece.kind == PieceKind::swath; });
+/// A swath or pocket, where there is one; else a headland pass.
+bool works_inside(const std::vector<RoutePiece>& pieces, const Layout& layout) {
+  const bool has_inside = !layout.swaths.empty();
+  return std::any_of(pieces.begin(), pieces.end(), [has_inside](const RoutePiece& piece) {
+    return piece.kind == PieceKind::swath || (!has_inside && piece.kind == PieceKind::headland_pass);
+  });
 }
 
 /// The parts of a headland pass that was split: H1a, H1b, ... in driving order, those left out last.
@@ -86,7 +89,7 @@ Result<Route> route(const Block& block, const Layout& layout, const Machine& mac
   if (gate != nullptr) enter(driver, *gate, route);
   Work work{driver, layout};
   work_all(work, options.headland, gate, progress);
-  if (!works_a_swath(driver.driven()))
+  if (!works_inside(driver.driven(), layout))
     return Infeasible{"the machine reaches no swath of this block: there is no room to turn into one"};
   if (gate != nullptr) leave(driver, *gate, route);
   route.pieces = driver.driven();

@@ -81,6 +81,7 @@ class HeadlandCheck {
     tell(common(band, cells), "are said to be headland and cell");
     tell(without(ground_.area, united({band, cells})), "of the block are neither headland nor cell");
     tell(without(united({band, cells}), ground_.area), "of headland and cells lie outside the block");
+    if (parts.empty()) return;
     const double near = distance_m(cells, border_of(filled(ground_.area)));
     if (!(near >= headland_.depth_m - kOverlap_m))
       say({near, headland_.depth_m}, "a cell lies " + shown(near, 2) +

@@ -58,12 +58,12 @@ struct AbLine {
 /// Where tool and axle run in one block.
 struct Layout {
   DrivingDirection along;
-  AbLine ab;  ///< swath 1's line, or the one given
+  AbLine ab;  ///< swath 1's line, or the one given; without swaths a line along the block
   int passes = 0;
   double headland_depth_m = 0;                ///< from the border to where the swaths' area begins
   double turn_depth_m = 0;                    ///< what the machine's own U-turn between neighbours needs
   Polygons headland;                          ///< the band
-  Polygons mainland;                          ///< what the swaths must cover
+  Polygons mainland;                          ///< what the swaths must cover; may be nothing
   std::vector<HeadlandPass> headland_passes;  ///< outermost first
   std::vector<Swath> swaths;                  ///< in strip order, pieces along A -> B
   std::vector<Swath> pockets;                 ///< straight pieces for what the above leave
@@ -71,6 +71,10 @@ struct Layout {
 
   friend bool operator==(const Layout&, const Layout&) = default;
 };
+
+/// What lies inside the headland. Ground that is hardly wider than the machine, and bends, is worked along
+/// its borders alone.
+enum class Interior { swaths, nothing };
 
 /// How headland passes go round left turns: with the tool down, or with the ground in the corner worked.
 enum class HeadlandCorners { round, fill };
@@ -84,6 +88,7 @@ struct LayoutOptions {
   double edge_margin_m = 0.3;
   std::optional<int> passes;  ///< absent: as many as turns need
   HeadlandCorners corners = HeadlandCorners::round;
+  Interior interior = Interior::swaths;  ///< where nothing: as many passes as there is ground for
 
   friend bool operator==(const LayoutOptions&, const LayoutOptions&) = default;
 };
