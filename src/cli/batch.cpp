@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
 #include "batch_text.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -21,8 +19,6 @@
 
 namespace selion::cli {
 namespace {
-
-constexpr const char* kGroup = "Fields and results";
 
 struct BatchCommand {
   std::string fields, folder, shard, threads, date;
@@ -171,27 +167,23 @@ int run_command(const BatchCommand& command) {
 
 Run setup_batch(CLI::App& app) {
   auto command = std::make_shared<BatchCommand>();
-  const auto text = [&app](const char* names, std::string& into, const char* type, const char* about) {
-    app.add_option(names, into, about)->type_name(type)->group(kGroup);
-  };
-  const auto flag = [&app](const char* names, bool& into, const char* about) {
-    app.add_flag(names, into, about)->group(kGroup);
-  };
-  app.add_option("FIELDS", command->fields, "a file of fields, or a folder of field files")->group(kGroup);
-  text("-o,--out", command->folder, "DIR", "the folder for plans, journals and tables");
-  flag("--resume", command->resume, "go on with what an earlier run has left; begin where there is none");
-  flag("--overwrite", command->overwrite, "replace an earlier batch");
-  text("--shard", command->shard, "I/N",
-       "only every Nth field, from the Ith; auto: what Slurm and other schedulers say [1/1]");
-  flag("--merge", command->merge, "write the tables of all shards in DIR; plans nothing");
-  flag("--maps", command->maps, "a map of each field too, as PDF and SVG");
-  flag("--json", command->json, "the counts as JSON");
-  flag("--print-job", command->print_job, "print the job with all its defaults as TOML, and plan nothing");
-  flag("--no-verify", command->no_verify, "leave out the independent check of each plan");
-  flag("--repair", command->repair, "accept repairs that move a boundary by more than 1 cm");
-  text("--date", command->date, "DATE", "a date for the maps, YYYY-MM-DD or today [none]");
-  text("--threads", command->threads, "COUNT", "fields planned at the same time [all processors]");
-  flag("-q,--quiet", command->quiet, "no notes and no progress; warnings and errors stay");
+  const OptionGroup own{app, "Fields and results"};
+  own.argument("FIELDS", command->fields, "a file of fields, or a folder of field files");
+  own.text("-o,--out", command->folder, "DIR", "the folder for plans, journals and tables");
+  own.flag("--resume", command->resume, "go on with what an earlier run has left; begin where there is none");
+  own.flag("--overwrite", command->overwrite, "replace an earlier batch");
+  own.text("--shard", command->shard, "I/N",
+           "only every Nth field, from the Ith; auto: what Slurm and other schedulers say [1/1]");
+  own.flag("--merge", command->merge, "write the tables of all shards in DIR; plans nothing");
+  own.flag("--maps", command->maps, "a map of each field too, as PDF and SVG");
+  own.flag("--json", command->json, "the counts as JSON");
+  own.flag("--print-job", command->print_job,
+           "print the job with all its defaults as TOML, and plan nothing");
+  own.flag("--no-verify", command->no_verify, "leave out the independent check of each plan");
+  own.flag("--repair", command->repair, "accept repairs that move a boundary by more than 1 cm");
+  own.text("--date", command->date, "DATE", "a date for the maps, YYYY-MM-DD or today [none]");
+  own.text("--threads", command->threads, "COUNT", "fields planned at the same time [all processors]");
+  own.flag("-q,--quiet", command->quiet, "no notes and no progress; warnings and errors stay");
   command->field = add_field_options(app);
   command->job = add_job_options(app);
   return [command] { return run_command(*command); };

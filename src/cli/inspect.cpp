@@ -8,8 +8,6 @@
 #include <optional>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
-
 #include "commands.hpp"
 #include "files.hpp"
 #include "options.hpp"
@@ -94,13 +92,10 @@ int run_inspect(const InspectOptions& options) {
 
 Run setup_inspect(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
-  const std::string group = "File and result";
-  app.add_option("FILE", options->file, "a field file, a plan.geojson, or - for GeoJSON on standard input")
-      ->group(group);
-  app.add_flag("--json", options->json, "as JSON, for other programs")->group(group);
-  app.add_option("--units", options->units, "of areas and lengths [metric]")
-      ->type_name("metric|imperial")
-      ->group(group);
+  const OptionGroup own{app, "File and result"};
+  own.argument("FILE", options->file, "a field file, a plan.geojson, or - for GeoJSON on standard input");
+  own.flag("--json", options->json, "as JSON, for other programs");
+  own.text("--units", options->units, "metric|imperial", "of areas and lengths [metric]");
   options->field = add_field_options(app);
   return [options] { return run_inspect(*options); };
 }

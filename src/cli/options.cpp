@@ -120,6 +120,22 @@ std::string today() {
 
 }  // namespace
 
+void OptionGroup::text(const char* names, std::string& into, const char* type, const char* about) const {
+  app_.add_option(names, into, about)->type_name(type)->group(heading_);
+}
+
+void OptionGroup::flag(const char* names, bool& into, const char* about) const {
+  app_.add_flag(names, into, about)->group(heading_);
+}
+
+void OptionGroup::argument(const char* name, std::string& into, const char* about) const {
+  app_.add_option(name, into, about)->group(heading_);
+}
+
+void OptionGroup::arguments(const char* name, std::vector<std::string>& into, const char* about) const {
+  app_.add_option(name, into, about)->group(heading_);
+}
+
 std::shared_ptr<JobOptions> add_job_options(CLI::App& app) {
   auto options = std::make_shared<JobOptions>();
   add_text(app, "Job", {"--job", "FILE.toml", "a job file; flags win over it"}, options->file);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "selion/field/read.hpp"
 #include "selion/plan/job_keys.hpp"
@@ -14,6 +15,23 @@ class App;
 }
 
 namespace selion::cli {
+
+/// Options of one command that stand under one heading of its help. `names` as CLI11 has them; what they are
+/// bound to must live as long as the command.
+class OptionGroup {
+ public:
+  OptionGroup(CLI::App& app, const char* heading) : app_{app}, heading_{heading} {}
+
+  /// `type` names the value in the help.
+  void text(const char* names, std::string& into, const char* type, const char* about) const;
+  void flag(const char* names, bool& into, const char* about) const;
+  void argument(const char* name, std::string& into, const char* about) const;
+  void arguments(const char* name, std::vector<std::string>& into, const char* about) const;
+
+ private:
+  CLI::App& app_;
+  const char* heading_;
+};
 
 // Options that commands share. Each struct holds what stood on the command line, as text; the functions below
 // read it.

@@ -4,8 +4,6 @@
 #include <set>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
 #include "commands.hpp"
 #include "options.hpp"
 #include "plan_fields.hpp"
@@ -17,8 +15,6 @@
 
 namespace selion::cli {
 namespace {
-
-constexpr const char* kGroup = "Fields and results";
 
 struct PlanOptions {
   std::vector<std::string> files;
@@ -169,25 +165,20 @@ int run_plan(const PlanOptions& options) {
 
 Run setup_plan(CLI::App& app) {
   auto options = std::make_shared<PlanOptions>();
-  const auto text = [&app](const char* names, std::string& into, const char* type, const char* about) {
-    app.add_option(names, into, about)->type_name(type)->group(kGroup);
-  };
-  const auto flag = [&app](const char* names, bool& into, const char* about) {
-    app.add_flag(names, into, about)->group(kGroup);
-  };
-  app.add_option("FIELD", options->files,
-                 "any vector file with polygons, CSV of coordinates, or - for GeoJSON on standard input")
-      ->group(kGroup);
-  text("-o,--out", options->folder, "DIR",
-       "the folder for map, paths and report; of several fields one folder each below it");
-  flag("--overwrite", options->overwrite, "replace the files of an earlier plan");
-  flag("--json", options->json, "the report on standard output instead of the summary");
-  flag("--print-job", options->print_job, "print the job with all its defaults as TOML, and plan nothing");
-  flag("--no-verify", options->no_verify, "leave out the independent check of the plan");
-  flag("--repair", options->repair, "accept repairs that move a boundary by more than 1 cm");
-  text("--date", options->date, "DATE", "a date for the map, YYYY-MM-DD or today [none]");
-  text("--threads", options->threads, "COUNT", "fields planned at the same time [all processors]");
-  flag("-q,--quiet", options->quiet, "no notes and no progress; warnings and errors stay");
+  const OptionGroup own{app, "Fields and results"};
+  own.arguments("FIELD", options->files,
+                "any vector file with polygons, CSV of coordinates, or - for GeoJSON on standard input");
+  own.text("-o,--out", options->folder, "DIR",
+           "the folder for map, paths and report; of several fields one folder each below it");
+  own.flag("--overwrite", options->overwrite, "replace the files of an earlier plan");
+  own.flag("--json", options->json, "the report on standard output instead of the summary");
+  own.flag("--print-job", options->print_job,
+           "print the job with all its defaults as TOML, and plan nothing");
+  own.flag("--no-verify", options->no_verify, "leave out the independent check of the plan");
+  own.flag("--repair", options->repair, "accept repairs that move a boundary by more than 1 cm");
+  own.text("--date", options->date, "DATE", "a date for the map, YYYY-MM-DD or today [none]");
+  own.text("--threads", options->threads, "COUNT", "fields planned at the same time [all processors]");
+  own.flag("-q,--quiet", options->quiet, "no notes and no progress; warnings and errors stay");
   options->field = add_field_options(app);
   options->job = add_job_options(app);
   return [options] { return run_plan(*options); };

@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
-
 #include "commands.hpp"
 #include "files.hpp"
 #include "options.hpp"
@@ -66,10 +64,10 @@ int run_verify(const VerifyOptions& options) {
 
 Run setup_verify(CLI::App& app) {
   auto options = std::make_shared<VerifyOptions>();
-  const std::string group = "Plan and result";
-  app.add_option("PLAN", options->plan, "a plan.geojson, or - for one on standard input")->group(group);
-  app.add_option("FIELD", options->field, "the field that it was made for, to compare with")->group(group);
-  app.add_flag("--json", options->json, "as JSON, for other programs")->group(group);
+  const OptionGroup own{app, "Plan and result"};
+  own.argument("PLAN", options->plan, "a plan.geojson, or - for one on standard input");
+  own.argument("FIELD", options->field, "the field that it was made for, to compare with");
+  own.flag("--json", options->json, "as JSON, for other programs");
   options->reading = add_boundary_options(app);
   return [options] { return run_verify(*options); };
 }
