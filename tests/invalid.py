@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-HANGS_S = 20  # far more than any needs, sanitizers on a busy machine included
+HANGS_S = 60  # far more than any needs, sanitizers on a busy machine included
 EVERY_PLAN_SAYS = ("No gate was given", "Machine: none was given", "Flat ground", "Boundary accuracy unknown",
                    "Datum of the boundary")
 

@@ -18,7 +18,7 @@ double widest_m(const Polygons& areas) {
   double high = 0;
   for (const Polygon& area : areas) {
     const Box box = bounds(area.shell);
-    high = std::max(high, std::max(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m));
+    high = std::max(high, std::min(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m));
   }
   while (high - low > 0.01) {
     const double middle = (low + high) / 2;

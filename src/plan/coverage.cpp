@@ -84,4 +84,17 @@ Coverage coverage_of(const Block& block, const Layout& layout, const Route& rout
   return coverage;
 }
 
+Coverage coverage_of_all(const Block& block, const Layout& layout, const Machine& machine) {
+  Route all;
+  for (const HeadlandPass& pass : layout.headland_passes) {
+    all.pieces.push_back({PieceKind::headland_pass, pass.id, pass.path});
+    for (const HeadlandPart& part : pass.parts)
+      all.pieces.push_back({PieceKind::headland_pass, pass.id, part.path});
+  }
+  for (const auto* swaths : {&layout.swaths, &layout.pockets})
+    for (const Swath& swath : *swaths)
+      all.pieces.push_back({PieceKind::swath, swath.id, swath_path(machine, swath.from, swath.to)});
+  return coverage_of(block, layout, all, machine);
+}
+
 }  // namespace selion

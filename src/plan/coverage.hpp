@@ -17,4 +17,7 @@ struct Coverage {
 
 Coverage coverage_of(const Block& block, const Layout& layout, const Route& route, const Machine& machine);
 
+/// Of a machine that reached all that is laid out: no route covers more.
+Coverage coverage_of_all(const Block& block, const Layout& layout, const Machine& machine);
+
 }  // namespace selion

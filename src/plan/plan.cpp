@@ -58,11 +58,18 @@ RouteOptions route_options(const Block& block, const Job& job) {
   return options;
 }
 
+struct Attempt {
+  Interior interior = Interior::swaths;
+  double beyond_m2 = 0;  ///< not driven where it cannot cover more
+};
+
 Result<PlannedBlock> plan_as_told(const Block& block, const LocalFrame& frame, const Job& job,
-                                  const Progress& progress, Interior interior = Interior::swaths) {
+                                  const Progress& progress, const Attempt& attempt = {}) {
   progress("laying out", 0);
-  auto layout = lay_out(block, frame, job, interior);
+  auto layout = lay_out(block, frame, job, attempt.interior);
   if (!layout) return layout.error();
+  if (attempt.beyond_m2 > 0 && coverage_of_all(block, *layout, job.machine).covered_m2 <= attempt.beyond_m2)
+    return Infeasible{"it would cover no more"};
   auto driven = route(block, *layout, job.machine, route_options(block, job), progress);
   if (!driven) return driven.error();
   Coverage coverage = coverage_of(block, *layout, *driven, job.machine);
@@ -104,15 +111,16 @@ Result<PlannedBlock> plan_inside_fewer(const Infeasible& refused, const Block& b
   if (!options) return options.error();
   const int needed = passes_for_turns(block, job.machine, *options);
   Result<PlannedBlock> best = refused;
+  const auto covered_m2 = [&] { return best ? best->coverage.covered_m2 : 0; };
   for (int passes = needed - 1; passes >= 0 && !(best && covers(*best, kPlannedShare)); --passes) {
     job.headland.passes = passes;
-    auto other = plan_as_told(block, frame, job, progress);
+    auto other = plan_as_told(block, frame, job, progress, {Interior::swaths, covered_m2()});
     if (other) other->route.notes.push_back(fewer_note(passes, needed));
     if (!best || covers_more(other, best)) best = std::move(other);
   }
   if (!best || !covers(*best, kPlannedShare)) {
     job.headland.passes.reset();
-    auto along = plan_as_told(block, frame, job, progress, Interior::nothing);
+    auto along = plan_as_told(block, frame, job, progress, {Interior::nothing, covered_m2()});
     if (along) along->route.notes.push_back(passes_alone_note(along->layout.passes));
     if (covers_more(along, best)) best = std::move(along);
   }
