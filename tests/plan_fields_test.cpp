@@ -238,6 +238,27 @@ TEST_CASE("a band that bends is worked along its borders where swaths cover less
   CHECK(joined(planned->notes).find("worked along its borders") != std::string::npos);
 }
 
+TEST_CASE("a pass along a band is driven through its bends", "[plan]") {
+  const double spaced_m = GENERATE(2.5, 20.0);
+  CAPTURE(spaced_m);
+  constexpr double kRadius_m = 1500;
+  constexpr double kWide_m = 13;
+  Ring outer;
+  Ring inner;
+  for (double s = 0; s <= 430; s += spaced_m) {
+    const double a = s / kRadius_m;
+    outer.push_back({kRadius_m * std::sin(a), kRadius_m * (1 - std::cos(a))});
+    inner.push_back({(kRadius_m - kWide_m) * std::sin(a), kRadius_m - (kRadius_m - kWide_m) * std::cos(a)});
+  }
+  outer.insert(outer.end(), inner.rbegin(), inner.rend());
+  const Job job = job_of_toml("[machine]\npreset = \"tractor-6m\"\n");
+  const auto planned = plan(field_of_metres({{outer, {}}}), job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  CHECK(joined(faults_of(*planned, job.machine)) == "");
+  CHECK(planned->blocks.at(0).covered_m2 >= 0.9 * planned->blocks.at(0).area_m2);
+  CHECK(planned->file.headland_passes.size() <= 8);
+}
+
 TEST_CASE("an arm too narrow to go round in is worked along its sides, not across", "[plan]") {
   const double wide_m = GENERATE(5.2, 7.2);
   CAPTURE(wide_m);

@@ -49,7 +49,8 @@ void check(const Field& field, const Job& job, Tally& tally) {
   }
   ++(covered_m2 >= 0.9 * area_m2 ? tally.planned : tally.partial);
   const bool fewer = std::any_of(planned->notes.begin(), planned->notes.end(), [](const std::string& note) {
-    return note.find("that turns need") != std::string::npos;
+    return note.find("that turns need") != std::string::npos ||
+           note.find("worked along its borders") != std::string::npos;
   });
   if (covered_m2 < 0.9 * area_m2 && fewer) ++tally.narrow;
   std::printf("%-40s %10.0f m2 %6.2f %% covered\n", field.name.c_str(), area_m2, 100 * covered_m2 / area_m2);

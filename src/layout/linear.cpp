@@ -94,6 +94,7 @@ Result<Layout> lay_passes_alone(Layout layout, const Block& block, const Ground&
   layout.headland_passes = lay_headland(ground, layout.passes);
   if (layout.headland_passes.empty())
     return Infeasible{"headland passes alone are for ground hardly wider than the machine"};
+  layout.passes = layout.headland_passes.back().ring;  // the innermost one may be too small to be driven
   add_mainland(layout, block, ground);
   layout.ab = line_beside(ground, layout, options);
   layout.pockets = lay_pockets(ground, layout);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "corner_line.hpp"
+#include "corner_shape.hpp"
 #include "selion/core/angle.hpp"
 #include "selion/geometry/simplify.hpp"
 
@@ -59,14 +62,76 @@ std::vector<HeadlandRun> runs_of(const Ground& ground, const std::vector<Path>& 
   return runs;
 }
 
-/// Where no way leads round: each edge for itself.
-std::vector<HeadlandRun> runs_on_edges(const Ground& ground, const Ring& ring) {
-  std::vector<HeadlandRun> runs;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    if (distance_m(ring[j], ring[i]) < kLeastRun * ground.machine.working_width_m) continue;
-    for (HeadlandRun& run : runs_of(ground, steps_along(ring[j], ring[i]))) runs.push_back(std::move(run));
+/// A ring that is not to be driven round, as chains of edges: joined by tight corners where they have the
+/// room and fit, parted at all others.
+class Chains {
+ public:
+  Chains(const Ground& ground, const Ring& ring, double room_m) : ground_{ground}, room_m_{room_m} {
+    const double most = 1 / ground.machine.min_work_radius_m.value_or(1e-9);
+    tight_ = limits_at(ground.machine, ground.machine.turn_speed_mps);
+    tight_.curvature_per_m = std::min(tight_.curvature_per_m, most);
+    const auto sharpest = std::max_element(ring.begin(), ring.end(), [&](const Point& a, const Point& b) {
+      return std::abs(turn_at(ring, &a - ring.data())) < std::abs(turn_at(ring, &b - ring.data()));
+    });
+    line_.assign(sharpest, ring.end());
+    line_.insert(line_.end(), ring.begin(), sharpest);
+    line_.push_back(line_.front());
   }
-  return runs;
+
+  /// From the sharpest corner once round.
+  std::vector<HeadlandRun> runs() {
+    Point from = line_.front();
+    for (std::size_t i = 1; i < line_.size(); ++i) {
+      const auto bend = i + 1 < line_.size() ? bend_at(i, from) : std::nullopt;
+      const Point to = bend ? bend->front().curve.start : line_[i];
+      for (Path& step : steps_along(from, to)) steps_.push_back(std::move(step));
+      if (bend)
+        steps_.push_back(*bend);
+      else
+        close();
+      from = bend ? end_pose(*bend).at : line_[i];
+    }
+    return std::move(runs_);
+  }
+
+ private:
+  static double turn_at(const Ring& ring, std::ptrdiff_t at) {
+    const auto i = static_cast<std::size_t>(at);
+    const Point before = ring[(i + ring.size() - 1) % ring.size()];
+    const Point after = ring[(i + 1) % ring.size()];
+    return wrapped(heading_rad(after - ring[i]) - heading_rad(ring[i] - before));
+  }
+
+  /// At the end of an edge that is begun at `from`; half of the next edge is left to its other end.
+  [[nodiscard]] std::optional<Path> bend_at(std::size_t i, Point from) const {
+    constexpr double kSharpest_rad = 1.2;
+    const double in = heading_rad(line_[i] - line_[i - 1]);
+    const double turn = wrapped(heading_rad(line_[i + 1] - line_[i]) - in);
+    if (std::abs(turn) > kSharpest_rad) return std::nullopt;
+    const CornerShape shape = shape_within(turn, tight_, ground_.footprint, room_m_);
+    const CornerReach reach = reach_of(turn, shape);
+    if (reach.before_m > distance_m(from, line_[i]) || reach.after_m > distance_m(line_[i], line_[i + 1]) / 2)
+      return std::nullopt;
+    Path bend = corner_path({line_[i] - reach.before_m * unit(in), in}, turn, shape);
+    return holds(ground_, bend) ? std::optional{std::move(bend)} : std::nullopt;
+  }
+
+  void close() {
+    for (HeadlandRun& run : runs_of(ground_, steps_)) runs_.push_back(std::move(run));
+    steps_.clear();
+  }
+
+  const Ground& ground_;
+  double room_m_;
+  CurveLimits tight_;
+  Ring line_;
+  std::vector<Path> steps_;
+  std::vector<HeadlandRun> runs_;
+};
+
+std::vector<HeadlandRun> runs_on_edges(const Ground& ground, const Ring& ring, double room_m) {
+  if (ring.size() < 3) return {};
+  return Chains{ground, ring, room_m}.runs();
 }
 
 /// Repairs until all fits.
@@ -74,11 +139,11 @@ std::vector<HeadlandRun> runs_along(const Ground& ground, const Ring& ring, doub
   CornerLine corners{ground, ring, room_m, stray_m};
   bool moved = true;
   for (int round = 0; moved && round < kMostRepairs; ++round) {
-    if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m));
+    if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m), room_m);
     corners.make_gentle();
     moved = corners.repair();
   }
-  if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m));
+  if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m), room_m);
   if (!moved && corners.fits()) return {{corners.path(), true}};
   return corners.fitting_runs();
 }
@@ -102,15 +167,44 @@ std::vector<HeadlandRun> CornerLine::fitting_runs() const {
   return runs_of(ground_, steps);
 }
 
-/// Where the ring itself leads nowhere round, by lines that stray further: noise of the border is no way.
+namespace {
+
+/// The runs that are longest and fewest: of each, a width counts as lost.
+class Longest {
+ public:
+  explicit Longest(const Ground& ground) : width_m_{ground.machine.working_width_m} {}
+
+  void offer(std::vector<HeadlandRun> runs) {
+    double worth_m = 0;
+    for (const HeadlandRun& run : runs) worth_m += length_m(run.path) - width_m_;
+    if (worth_m <= worth_m_) return;
+    worth_m_ = worth_m;
+    runs_ = std::move(runs);
+  }
+  [[nodiscard]] std::vector<HeadlandRun> runs() && { return std::move(runs_); }
+
+ private:
+  double width_m_;
+  double worth_m_ = 0;
+  std::vector<HeadlandRun> runs_;
+};
+
+}  // namespace
+
+/// Where the ring itself leads nowhere round, by lines that stray further: noise of the border is no way. A
+/// loop that leaves much of the ring out, as in a band in which it turns too early, has to work more than
+/// runs along the sides would.
 std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, double room_m) {
-  std::vector<HeadlandRun> first;
+  constexpr double kAllRound = 0.8;
+  Longest longest{ground};
   for (const double stray_m : {kFollow_m, 5 * kFollow_m, 20 * kFollow_m}) {
     std::vector<HeadlandRun> runs = runs_along(ground, ring, room_m, stray_m);
-    if (runs.size() == 1 && runs.front().closed) return runs;
-    if (first.empty()) first = std::move(runs);
+    const bool loop = runs.size() == 1 && runs.front().closed;
+    if (loop && length_m(runs.front().path) >= kAllRound * perimeter_m(Polygon{ring, {}})) return runs;
+    longest.offer(std::move(runs));
+    if (loop) longest.offer(runs_on_edges(ground, simplified(ring, stray_m), room_m));
   }
-  return first;
+  return std::move(longest).runs();
 }
 
 }  // namespace selion
