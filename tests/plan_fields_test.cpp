@@ -293,6 +293,20 @@ TEST_CASE("what is too narrow for one swath is refused by width", "[plan]") {
   CHECK(planned.error().reason.find("the block is 3.4 m wide") != std::string::npos);
 }
 
+TEST_CASE("a refusal names the width that is missing, or that it is not width", "[plan]") {
+  const auto why = [](const Ring& shell, const std::string& job) {
+    const auto planned =
+        plan(field_of_metres({{shell, {}}}), job_of_toml(job), Repair::notes_only, no_progress);
+    return planned ? std::string{"planned"} : planned.error().reason;
+  };
+  const Ring plus{{0, 30},  {30, 30}, {30, 0},  {60, 0},  {60, 30}, {90, 30},
+                  {90, 60}, {60, 60}, {60, 90}, {30, 90}, {30, 60}, {0, 60}};
+  CHECK(mentions(why(plus, "[headland]\npasses = 5\n"), "no swath fits; the block is 42.4 m wide"));
+  const Ring strip{{0, 0}, {430, 0}, {430, 13}, {0, 13}};
+  CHECK(mentions(why(strip, "[machine]\npreset = \"tractor-6m\"\nmay_reverse = false\n"),
+                 "a machine that may not reverse gets into or out of no swath"));
+}
+
 TEST_CASE("blocks on both sides of a short neck share no ground", "[plan]") {
   const double neck_m = GENERATE(0.5, 1.5, 2.5);
   CAPTURE(neck_m);

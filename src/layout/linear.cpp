@@ -12,51 +12,10 @@
 namespace selion {
 namespace {
 
-/// Diameter of the largest circle inside, to a centimetre.
-double widest_m(const Polygons& areas) {
-  double low = 0;
-  double high = 0;
-  for (const Polygon& area : areas) {
-    const Box box = bounds(area.shell);
-    high = std::max(high, std::min(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m));
-  }
-  while (high - low > 0.01) {
-    const double middle = (low + high) / 2;
-    (inset_round(areas, middle / 2).empty() ? high : low) = middle;
-  }
-  return low;
-}
-
 int passes_for(const Ground& ground, double depth_m) {
   int passes = 1;
   while (ground.edge_margin_m + mainland_inset_m(ground, passes) < depth_m) ++passes;
   return passes;
-}
-
-/// Without a headland: of ground that a swath could be laid on, and how far the machine reaches along it.
-Infeasible no_swath(const Ground& ground, const Polygons& all) {
-  const Machine& machine = ground.machine;
-  const double need = 2 * (ground.edge_margin_m + ground.half_m);
-  const double have = widest_m(all);
-  const double length =
-      std::max(machine.front_m, machine.tool_x_m) + std::max(machine.rear_m, -machine.tool_x_m);
-  const std::string swath = "a swath needs straight ground " + fixed(need, 1) + " m wide and more than " +
-                            fixed(length, 1) + " m long, the block is " + fixed(have, 1) +
-                            " m wide at its widest place";
-  if (have < need) return Infeasible{"too narrow: " + swath + "; a narrower machine may do"};
-  return Infeasible{"too small or too crooked: " + swath +
-                    " and no swath fits there; a smaller machine or another direction may do"};
-}
-
-Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, double depth_m, bool as_told) {
-  if (passes == 0) return no_swath(ground, all);
-  const double need = 2 * (ground.edge_margin_m + mainland_inset_m(ground, passes));
-  return Infeasible{"too narrow: the headlands need " + fixed(need, 1) + " m of width (" +
-                    std::to_string(passes) + (passes == 1 ? " pass" : " passes") + " of " +
-                    fixed(ground.machine.working_width_m, 2) + " m on either side; a U-turn is " +
-                    fixed(depth_m, 1) + " m deep), the block is " + fixed(widest_m(all), 1) +
-                    " m wide at its widest place; a narrower or more agile machine" +
-                    (as_told ? ", or fewer headland passes, may do" : " may do")};
 }
 
 /// Rings until they meet; absent where there would be so many that swaths are what is needed.

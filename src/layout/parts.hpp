@@ -49,6 +49,10 @@ AxisExtent without_dead_ends(const Ground& ground, const Swath& way, AxisExtent 
 /// the swath.
 double turn_depth_m(const Machine& machine, double spacing_m);
 
+/// Why no swath lies inside so many headland passes, which were `as_told` or what turns need.
+/// @param depth_m of a U-turn
+Infeasible too_narrow(const Ground& ground, const Polygons& all, int passes, double depth_m, bool as_told);
+
 /// From the workable area's border to the axle's ring `ring` (from 1), and to the swaths' area inside
 /// `passes` rings.
 double ring_inset_m(const Ground& ground, int ring);

@@ -102,26 +102,42 @@ Infeasible hardly_covered(const Infeasible& why, const PlannedBlock& best) {
                     " % of it would be covered"};
 }
 
-/// Of a block too narrow for as many headland passes as turns need: with the most that leave it well covered,
-/// else with those that cover most, unless that is hardly worth a plan.
+double covered_m2(const Result<PlannedBlock>& planned) { return planned ? planned->coverage.covered_m2 : 0; }
+bool is_well_covered(const Result<PlannedBlock>& planned) {
+  return planned && covers(*planned, kPlannedShare);
+}
+
+/// With the most headland passes below what turns need that leave it well covered, else with those that cover
+/// most.
+Result<PlannedBlock> with_fewer_passes(const Block& block, const LocalFrame& frame, Job job, int needed,
+                                       const Progress& progress) {
+  Result<PlannedBlock> best = Infeasible{};
+  for (int passes = needed - 1; passes >= 0 && !is_well_covered(best); --passes) {
+    job.headland.passes = passes;
+    auto other = plan_as_told(block, frame, job, progress, {Interior::swaths, covered_m2(best)});
+    if (other) other->route.notes.push_back(fewer_note(passes, needed));
+    if (!best || covers_more(other, best)) best = std::move(other);
+  }
+  return best;
+}
+
+Result<PlannedBlock> with_passes_alone(const Block& block, const LocalFrame& frame, const Job& job,
+                                       double beyond_m2, const Progress& progress) {
+  auto along = plan_as_told(block, frame, job, progress, {Interior::nothing, beyond_m2});
+  if (along) along->route.notes.push_back(passes_alone_note(along->layout.passes));
+  return along;
+}
+
+/// Of a block too narrow for as many headland passes as turns need, unless it is hardly worth a plan.
 Result<PlannedBlock> plan_inside_fewer(const Infeasible& refused, const Block& block, const LocalFrame& frame,
-                                       Job job, const Progress& progress) {
+                                       const Job& job, const Progress& progress) {
   constexpr double kWorthIt = 0.5;
   const auto options = layout_options(block, frame, job);
   if (!options) return options.error();
   const int needed = passes_for_turns(block, job.machine, *options);
-  Result<PlannedBlock> best = refused;
-  const auto covered_m2 = [&] { return best ? best->coverage.covered_m2 : 0; };
-  for (int passes = needed - 1; passes >= 0 && !(best && covers(*best, kPlannedShare)); --passes) {
-    job.headland.passes = passes;
-    auto other = plan_as_told(block, frame, job, progress, {Interior::swaths, covered_m2()});
-    if (other) other->route.notes.push_back(fewer_note(passes, needed));
-    if (!best || covers_more(other, best)) best = std::move(other);
-  }
-  if (!best || !covers(*best, kPlannedShare)) {
-    job.headland.passes.reset();
-    auto along = plan_as_told(block, frame, job, progress, {Interior::nothing, covered_m2()});
-    if (along) along->route.notes.push_back(passes_alone_note(along->layout.passes));
+  auto best = with_fewer_passes(block, frame, job, needed, progress);
+  if (!is_well_covered(best)) {
+    auto along = with_passes_alone(block, frame, job, covered_m2(best), progress);
     if (covers_more(along, best)) best = std::move(along);
   }
   if (best && !covers(*best, kWorthIt)) return hardly_covered(refused, *best);
