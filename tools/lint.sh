@@ -21,9 +21,6 @@ configure_and_build dev --target all_verify_interface_header_sets >build/headers
   cat build/headers.log >&2
   status=1
 }
-[ "${1:-}" = --quick ] || run-clang-tidy -quiet -p build/dev -j "$(nproc)" "$root/src/" >build/tidy.log 2>&1 || {
-  sed 's/\x1b\[[0-9;]*m//g' build/tidy.log | grep -E ' (warning|error): ' | sort -u >&2 || cat build/tidy.log >&2
-  status=1
-}
+[ "${1:-}" = --quick ] || python3 tools/tidy.py build/dev >&2 || status=1
 [ "$status" -ne 0 ] || echo "lint: nothing to mend"
 exit "$status"
