@@ -61,7 +61,7 @@ LonLatBox bounds(const std::vector<LonLatPolygon>& polygons);
 
 /// An obstacle's outline from any geometry: polygons as they are, a point as 16 sides around its `radius_m`,
 /// a line as a band `width_m` wide (2 cm where absent).
-/// @throws InputError for a point without `radius_m`, and for numbers that are none.
+/// @throws InputError for a point without `radius_m`, an outline without area, and for numbers that are none.
 std::vector<LonLatPolygon> outlines(const Located& feature, const RawFeature& raw, const std::string& where);
 /// A positive number among the attributes. @throws InputError where it is something else.
 std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key,

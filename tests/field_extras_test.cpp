@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test.hpp"
+
+#include "field_samples.hpp"
+
+using namespace selion;
+
+namespace {
+
+/// A feature beside the field: its geometry's type, coordinates and properties.
+std::string feature(const std::string& type, const std::string& coordinates, const std::string& properties) {
+  return R"({"type":"Feature","properties":)" + properties + R"(,"geometry":{"type":")" + type +
+         R"(","coordinates":)" + coordinates + "}}";
+}
+
+std::string beside_field(const std::string& extra) {
+  return R"({"type":"FeatureCollection","features":[)" +
+         feature("Polygon", "[[[10,50],[10.001,50],[10.001,50.001],[10,50.001],[10,50]]]", "{}") + "," +
+         extra + "]}";
+}
+
+std::string error_with(const std::string& extra) {
+  return error_of([&] { read_stdin(beside_field(extra)); });
+}
+
+const std::string kObstacle = R"({"selion":"obstacle"})";
+const std::string kTriangle = "[[[10.0002,50.0002],[10.0004,50.0002],[10.0004,50.0004],[10.0002,50.0002]]]";
+
+}  // namespace
+
+TEST_CASE("an obstacle without area or length is refused by place", "[field][extras]") {
+  const std::string flat = "[[[10.0002,50.0002],[10.0003,50.0002],[10.0004,50.0002],[10.0002,50.0002]]]";
+  const std::string message = error_with(feature("Polygon", flat, kObstacle));
+  CHECK(mentions(message, "feature 2 is an obstacle without area"));
+  CHECK(mentions(message, "near 10.0002000 E, 50.0002000 N"));
+  CHECK(mentions(error_with(feature("MultiPolygon", "[" + kTriangle + "," + flat + "]", kObstacle)),
+                 "feature 2, part 2 is an obstacle without area"));
+  CHECK(mentions(error_with(feature("LineString", "[[10.0002,50.0002],[10.0002,50.0002]]", kObstacle)),
+                 "feature 2 is an obstacle without length"));
+  // its loops cancel each other out, and are there
+  CHECK(error_with(feature(
+            "Polygon",
+            "[[[10.0002,50.0002],[10.0004,50.0004],[10.0004,50.0002],[10.0002,50.0004],[10.0002,50.0002]]]",
+            kObstacle)) == "");
+}
