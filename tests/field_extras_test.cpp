@@ -43,3 +43,16 @@ TEST_CASE("an obstacle without area or length is refused by place", "[field][ext
             "[[[10.0002,50.0002],[10.0004,50.0004],[10.0004,50.0002],[10.0002,50.0004],[10.0002,50.0002]]]",
             kObstacle)) == "");
 }
+
+TEST_CASE("an obstacle or gate larger than any field is refused by value", "[field][extras]") {
+  for (const char* radius : {"10001", "1e9", "1e308"}) {
+    CAPTURE(radius);
+    const std::string message =
+        error_with(feature("Point", "[10.0005,50.0005]",
+                           R"({"selion":"obstacle","radius_m":")" + std::string{radius} + R"("})"));
+    CHECK(mentions(message, "feature 2: its radius_m is '" + std::string{radius} + "', more than 10 km"));
+  }
+  CHECK(mentions(error_with(feature("Point", "[10.0005,50]", R"({"selion":"gate","width_m":1e6})")),
+                 "width_m"));
+  CHECK(error_with(feature("Point", "[10.0005,50.0005]", R"({"selion":"obstacle","radius_m":10000})")) == "");
+}

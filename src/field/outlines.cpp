@@ -81,6 +81,7 @@ void refuse_without_extent(const Located& feature, const std::string& where) {
 
 std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key,
                                        const std::string& where) {
+  constexpr double kFarthest_m = 10e3;
   const auto found = raw.attributes.find(key);
   if (found == raw.attributes.end()) return std::nullopt;
   const std::string& text = found->second;
@@ -89,6 +90,9 @@ std::optional<double> metres_attribute(const RawFeature& raw, const std::string&
   if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value))
     throw InputError{where + ": its " + key + " is '" + text.substr(0, 40) +
                      "', but must be a positive number of metres"};
+  if (value > kFarthest_m)
+    throw InputError{where + ": its " + key + " is '" + text.substr(0, 40) +
+                     "', more than 10 km; correct it (it counts metres)"};
   return value;
 }
 
