@@ -301,6 +301,30 @@ TEST_CASE("a KML file is read across its folders and repaired with notes", "[fie
   CHECK(mentions(error_of([&] { read_file(bomb.path()); }), "entities"));
 }
 
+TEST_CASE("a KML polygon has one outer ring, or is refused by line", "[field][read]") {
+  const std::string ring =
+      "<kml:LinearRing><kml:coordinates>10,50 10.001,50 10.001,50.001 "
+      "10,50</kml:coordinates></kml:LinearRing>";
+  const auto side = [&](const std::string& name) {
+    return "<kml:" + name + ">" + ring + "</kml:" + name + ">\n";
+  };
+  const std::string outer = side("outerBoundaryIs");
+  const std::string inner = side("innerBoundaryIs");
+  const auto error = [](const std::string& polygon) {
+    const TemporaryFile file{"f.kml",
+                             "<?xml version=\"1.0\"?>\n<kml:kml xmlns:kml=\"http://www.opengis.net/kml/2.2\">"
+                             "<kml:Placemark>\n<kml:Polygon>\n" +
+                                 polygon + "</kml:Polygon>\n</kml:Placemark></kml:kml>"};
+    return error_of([&] { read_file(file.path()); });
+  };
+  CHECK(mentions(error(outer + outer), "f.kml, line 6: Polygon 1 has more than one outer ring"));
+  CHECK(mentions(error("<kml:outerBoundaryIs>" + ring + ring + "</kml:outerBoundaryIs>"),
+                 "more than one outer"));
+  CHECK(mentions(error(inner), "line 5: Polygon 1 has an inner ring"));
+  CHECK(error(outer + inner + inner) == "");
+  CHECK(error(inner + outer + "<!-- " + outer + " -->") == "");
+}
+
 TEST_CASE("a function that the installed GDAL lacks is refused by name", "[field][read]") {
   CHECK_THROWS_WITH(gdal_function("GDALNoSuchFunction"), Catch::Contains("GDALNoSuchFunction"));
 }

@@ -131,8 +131,10 @@ std::vector<std::string> check_xml(const std::string& text, const std::string& l
   if (root == "ISO11783_TaskData" || root == "XFC")
     throw InputError{label +
                      " is ISOXML, which is not supported yet; export the field as GeoJSON, KML or shapefile"};
-  if (lower(root) == "kml") return check_kml(ascii, label);
-  return {};
+  if (lower(root) != "kml") return {};
+  std::vector<std::string> notes = check_kml(ascii, label);
+  check_kml_rings(ascii, label);
+  return notes;
 }
 
 }  // namespace selion

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "selion/field/read.hpp"
@@ -69,6 +70,9 @@ RawFile read_with_gdal(const std::filesystem::path& file, const std::string& lab
 /// @throws InputError for entities (they can blow up), ISOXML, and KML coordinates that are no numbers.
 /// @returns notes on what was repaired.
 std::vector<std::string> check_xml(const std::string& text, const std::string& label);
+/// Part of check_xml. @throws InputError for polygons of two outer rings, or of inner ones only: GDAL takes
+/// one and says nothing.
+void check_kml_rings(std::string_view text, const std::string& label);
 /// Walks over the records of a .shp. @throws InputError naming the record that is cut off, too long or not
 /// finite.
 void check_shapefile(const std::string& bytes, const std::string& label);
