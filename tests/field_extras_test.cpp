@@ -56,3 +56,17 @@ TEST_CASE("an obstacle or gate larger than any field is refused by value", "[fie
                  "width_m"));
   CHECK(error_with(feature("Point", "[10.0005,50.0005]", R"({"selion":"obstacle","radius_m":10000})")) == "");
 }
+
+TEST_CASE("a role, a radius and a width are read in any case", "[field][extras]") {
+  const std::vector<Field> fields =
+      read_stdin(beside_field(feature("Polygon", kTriangle, R"({"Selion":"Obstacle","name":"barn"})") + "," +
+                              feature("Point", "[10.0006,50.0006]", R"({"SELION":"NO_GO","Radius_M":2})") +
+                              "," + feature("Point", "[10.0005,50]", R"({"SeLiOn":"gate","WIDTH_M":6})")));
+  REQUIRE(fields.size() == 1);
+  REQUIRE(fields.front().obstacles.size() == 2);
+  CHECK(fields.front().obstacles.front().name == "barn");
+  CHECK(fields.front().obstacles.back().kind == ObstacleKind::no_go);
+  REQUIRE(fields.front().gates.size() == 1);
+  CHECK(fields.front().gates.front().width_m == 6.0);
+  CHECK(mentions(error_with(feature("Polygon", kTriangle, R"({"SELION":"barn"})")), "'barn'"));
+}

@@ -113,6 +113,13 @@ TEST_CASE("a feature is what its property selion says, however that is written",
     CHECK(codes(with(word)) == "");
     CHECK_THAT(codes(alone, with(word)), Catch::StartsWith("given_obstacle: 100.00 m2"));
   }
+  const std::string shouted = collection_of(
+      {field, feature_of({{box(30, 20, 40, 30), {}}}, R"({"Selion":"Obstacle"})"),
+       feature_of(Point{60, 40}, R"({"SELION":"obstacle","Radius_M":2})"),
+       feature_of(std::vector<Point>{{10, 10}, {20, 10}}, R"({"selion":"obstacle","WIDTH_M":3})")});
+  CHECK(codes(shouted) == "");
+  for (const char* area : {"100.00 m2", "12.49 m2", "30.00 m2"})
+    CHECK_THAT(codes(alone, shouted), Catch::Contains(area));
   CHECK_THROWS_WITH(codes(alone, with("pond")), Catch::Contains("feature 2") && Catch::Contains("'pond'"));
 }
 

@@ -63,7 +63,8 @@ LonLatBox bounds(const std::vector<LonLatPolygon>& polygons);
 /// a line as a band `width_m` wide (2 cm where absent).
 /// @throws InputError for a point without `radius_m`, an outline without area, and for numbers that are none.
 std::vector<LonLatPolygon> outlines(const Located& feature, const RawFeature& raw, const std::string& where);
-/// A positive number of up to 10 km among the attributes. @throws InputError where it is something else.
+/// A positive number of up to 10 km among the attributes, its key in any case. @throws InputError where it is
+/// something else.
 std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key,
                                        const std::string& where);
 

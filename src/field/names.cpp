@@ -27,13 +27,21 @@ std::optional<Role> role_named(const std::string& word) {
 
 std::optional<Role> role_of_layer(const std::string& name) { return role_named(name); }
 
+const std::string* attribute(const RawFeature& feature, const std::string& key) {
+  if (const auto exact = feature.attributes.find(key); exact != feature.attributes.end())
+    return &exact->second;
+  for (const std::string& name : feature.attribute_order)
+    if (lower(name) == key) return &feature.attributes.at(name);
+  return nullptr;
+}
+
 std::optional<Role> role_of_feature(const RawFeature& feature, const std::string& where) {
-  const auto found = feature.attributes.find("selion");
-  if (found == feature.attributes.end()) return std::nullopt;
-  if (lower(found->second) == "field") return Role::field;
-  const auto role = role_named(found->second);
+  const std::string* word = attribute(feature, "selion");
+  if (word == nullptr) return std::nullopt;
+  if (lower(*word) == "field") return Role::field;
+  const auto role = role_named(*word);
   if (!role)
-    throw InputError{where + ": its property selion is '" + found->second.substr(0, 40) +
+    throw InputError{where + ": its property selion is '" + word->substr(0, 40) +
                      "', but must be field, obstacle, gate, no_go or water"};
   return role;
 }

@@ -16,6 +16,8 @@ enum class Role { field, obstacle, no_go, water, gate };
 
 /// Of a layer called so: obstacle(s), gate(s), no_go, no-go, water.
 std::optional<Role> role_of_layer(const std::string& name);
+/// Of that key (in small letters), else of one that differs in case only; null where there is none.
+const std::string* attribute(const RawFeature& feature, const std::string& key);
 /// From the property `selion`. @throws InputError for a value that is none.
 std::optional<Role> role_of_feature(const RawFeature& feature, const std::string& where);
 

@@ -6,6 +6,7 @@
 
 #include "clean.hpp"
 #include "locate.hpp"
+#include "names.hpp"
 #include "selion/core/error.hpp"
 #include "selion/geometry/boolean.hpp"
 #include "text.hpp"
@@ -82,9 +83,9 @@ void refuse_without_extent(const Located& feature, const std::string& where) {
 std::optional<double> metres_attribute(const RawFeature& raw, const std::string& key,
                                        const std::string& where) {
   constexpr double kFarthest_m = 10e3;
-  const auto found = raw.attributes.find(key);
-  if (found == raw.attributes.end()) return std::nullopt;
-  const std::string& text = found->second;
+  const std::string* found = attribute(raw, key);
+  if (found == nullptr) return std::nullopt;
+  const std::string& text = *found;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value))

@@ -31,10 +31,12 @@ Attributes attributes_of(OGRFeatureH feature) {
   return attributes;
 }
 
-/// The value of exactly that key; empty where there is none.
+/// The value of that key, else of one that differs in case only; empty where there is none.
 std::string value_of(const Attributes& attributes, std::string_view key) {
   for (const auto& [name, value] : attributes)
     if (name == key) return value;
+  for (const auto& [name, value] : attributes)
+    if (lower(name) == key) return value;
   return {};
 }
 
