@@ -2,6 +2,7 @@
 #include "test.hpp"
 
 #include "field_samples.hpp"
+#include "selion/field/stream.hpp"
 
 using namespace selion;
 
@@ -69,4 +70,25 @@ TEST_CASE("a role, a radius and a width are read in any case", "[field][extras]"
   REQUIRE(fields.front().gates.size() == 1);
   CHECK(fields.front().gates.front().width_m == 6.0);
   CHECK(mentions(error_with(feature("Polygon", kTriangle, R"({"SELION":"barn"})")), "'barn'"));
+}
+
+TEST_CASE("an obstacle or gate without geometry is an error, a feature without role is skipped",
+          "[field][extras]") {
+  const auto without = [](const std::string& geometry, const std::string& properties) {
+    return R"({"type":"Feature","properties":)" + properties + R"(,"geometry":)" + geometry + "}";
+  };
+  const std::string empty = R"({"type":"Polygon","coordinates":[]})";
+  CHECK(mentions(error_with(without("null", kObstacle)), "feature 2 is an obstacle, but has no geometry"));
+  CHECK(mentions(error_with(without(empty, R"({"selion":"water"})")), "feature 2 is water, but has"));
+  CHECK(mentions(error_with(without("null", R"({"selion":"gate"})")), "feature 2 is a gate, but has"));
+  CHECK(any_mentions(read_stdin(beside_field(without("null", "{}"))).front().notes, "skipped"));
+  const TemporaryFile poles{"poles.geojson", without("null", "{}")};
+  ReadOptions options;
+  options.obstacles = poles.path();
+  const std::string field = beside_field(feature("Point", "[10,50]", "{}"));
+  CHECK(mentions(error_of([&] { read_stdin(field, options); }),
+                 "feature 1 is an obstacle, but has no geometry"));
+  // one at a time too, as a batch reads
+  const TemporaryFile file{"field.geojson", beside_field(without("null", kObstacle))};
+  CHECK(mentions(error_of([&] { FieldStream{file.path(), {}}; }), "has no geometry"));
 }

@@ -12,6 +12,19 @@ ObstacleKind kind_of(Role role) {
   return role == Role::no_go ? ObstacleKind::no_go : ObstacleKind::obstacle;
 }
 
+std::string text_of(Role role) {
+  switch (role) {
+    case Role::gate:
+      return "a gate";
+    case Role::water:
+      return "water";
+    case Role::no_go:
+      return "a no-go area";
+    default:
+      return "an obstacle";
+  }
+}
+
 void add_gates(const RawFeature& raw, const Located& at, const std::string& where, std::vector<Gate>& into) {
   if (at.points.empty() || !at.polygons.empty() || !at.lines.empty())
     throw InputError{
@@ -35,6 +48,9 @@ bool near(const LonLatBox& box, const LonLatBox& other) {
 
 void add_extra(const RawFeature& feature, Role role, Source& source, Extras& into, Reading& reading) {
   const std::string where = source.where(feature);
+  if (feature.is_empty())  // of an obstacle that was lost nobody would know
+    throw InputError{where + " is " + text_of(role) +
+                     ", but has no geometry that can be read; give it one, or delete the feature"};
   const Located at = located(feature, *source.georeference, where, reading.options.accept_datum_error_m);
   reading.notes.insert(reading.notes.end(), at.notes.begin(), at.notes.end());
   if (role == Role::gate) {
@@ -56,7 +72,7 @@ void read_extras(const std::filesystem::path& path, Role role, Extras& into, Rea
     georeference(source, reading);
     for (const RawFeature& feature : layer.features) {
       const Role own = source.role_of(feature);
-      if (!feature.is_empty()) add_extra(feature, own == Role::field ? role : own, source, into, reading);
+      add_extra(feature, own == Role::field ? role : own, source, into, reading);
     }
   }
 }

@@ -15,7 +15,8 @@ struct Extras {
   std::vector<Gate> gates;
 };
 
-/// Adds a feature that is no field. @throws InputError for a gate that is no point, and as outlines() does.
+/// Adds a feature that is no field. @throws InputError for one without geometry, for a gate that is no
+/// point, and as outlines() does.
 void add_extra(const RawFeature& feature, Role role, Source& source, Extras& into, Reading& reading);
 
 /// Adds all of a file of nothing but obstacles, or gates: `role` says which where the file does not.

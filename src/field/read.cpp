@@ -32,7 +32,7 @@ Sorted sorted_by_role(std::vector<Source>& sources, Reading& reading) {
     std::string skipped;
     for (const RawFeature& feature : source.layer->features) {
       const Role role = source.role_of(feature);
-      if (role != Role::field && !feature.is_empty())
+      if (role != Role::field)
         add_extra(feature, role, source, sorted.extras, reading);
       else if (feature.has_polygons())
         sorted.candidates.push_back({&feature, &source});

@@ -87,7 +87,7 @@ struct FieldStream::State {
   void add_extras() {
     for (Source& source : sources) {
       for (const RawFeature& feature : source.layer->features)
-        if (const Role role = source.role_of(feature); role != Role::field && !feature.is_empty())
+        if (const Role role = source.role_of(feature); role != Role::field)
           add_extra(feature, role, source, extras, reading);
       const std::string& skipped = survey.layers[layer_of(source)].skipped;
       if (!skipped.empty()) reading.notes.push_back(skipped_note(source, skipped));

@@ -70,7 +70,7 @@ Survey surveyed(RawStream& stream, const ReadOptions& options) {
     stream.rewind(i);
     while (auto feature = stream.next()) {
       const Role role = source.role_of(*feature);
-      if (role != Role::field && !feature->is_empty())
+      if (role != Role::field)
         keep.add_extra(std::move(*feature));
       else if (feature->has_polygons())
         keep.add_field(*feature, i);
