@@ -227,6 +227,25 @@ TEST_CASE("a batch is resumed only as it was begun", "[batch]") {
   CHECK(run_batch(options, nobody()).total() == 4);
 }
 
+TEST_CASE("a batch is not resumed where a file beside its fields was changed", "[batch]") {
+  const auto [fields, beside] =
+      GENERATE(std::pair{"a.shp", "a.dbf"}, std::pair{"a.shp", "a.DBF"}, std::pair{"a.gpkg", "a.gpkg-wal"},
+               std::pair{"a.sqlite", "a.sqlite-wal"}, std::pair{"a.tab", "a.map"},
+               std::pair{"a.TAB", "a.DAT"}, std::pair{"a.mif", "a.mid"}, std::pair{"a.gml", "a.gfs"});
+  CAPTURE(fields, beside);
+  const BatchScratch scratch;
+  fs::create_directories(scratch.at / "in");
+  small_fields(scratch.at / "in", 1);
+  std::ofstream{scratch.at / "in" / fields} << "none that can be read: one result";
+  std::ofstream{scratch.at / "in" / beside} << "before";
+  BatchOptions options = small_batch(scratch.at / "in", scratch.at / "out");
+  CHECK(run_batch(options, nobody()).total() == 2);
+  options.earlier = Earlier::resume;
+  CHECK(run_batch(options, nobody()).total() == 2);
+  std::ofstream{scratch.at / "in" / beside} << "after";
+  CHECK_THROWS_WITH(run_batch(options, nobody()), Contains("other fields"));
+}
+
 TEST_CASE("a file of a folder that cannot be read is one result", "[batch]") {
   const BatchScratch scratch;
   fs::create_directories(scratch.at / "in/below");

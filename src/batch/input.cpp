@@ -19,8 +19,16 @@ namespace fs = std::filesystem;
 constexpr auto kEndings =
     std::to_array<std::string_view>({".geojson", ".json", ".gpkg", ".shp", ".shz", ".zip", ".kml", ".kmz",
                                      ".gml", ".fgb", ".gdb", ".tab", ".mif", ".sqlite", ".csv", ".tsv"});
-/// What belongs to a shapefile and has a say in its fields.
-constexpr auto kShapefileParts = std::to_array<const char*>({".shx", ".dbf", ".prj", ".cpg"});
+
+/// Files of the same name that have a say in the fields of one with this ending.
+struct Companions {
+  std::string_view of;
+  std::array<const char*, 4> endings;  // null: no more
+};
+constexpr auto kCompanions = std::to_array<Companions>({{".shp", {".shx", ".dbf", ".prj", ".cpg"}},
+                                                        {".tab", {".dat", ".map", ".id", ".ind"}},
+                                                        {".mif", {".mid"}},
+                                                        {".gml", {".gfs", ".xsd"}}});
 
 std::string lower_ending(const fs::path& path) {
   std::string ending = path.extension().string();
@@ -88,6 +96,12 @@ class Hash {
   std::uint64_t state_ = 0xcbf29ce484222325;
 };
 
+void add_companion(Hash& hash, const fs::path& path, std::string ending) {
+  hash.add_file(fs::path{path}.replace_extension(ending));
+  for (char& c : ending) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  hash.add_file(fs::path{path}.replace_extension(ending));
+}
+
 void add_input(Hash& hash, const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
@@ -99,8 +113,13 @@ void add_input(Hash& hash, const fs::path& path) {
     return;
   }
   hash.add_file(path);
-  if (lower_ending(path) != ".shp") return;
-  for (const char* ending : kShapefileParts) hash.add_file(fs::path{path}.replace_extension(ending));
+  for (const Companions& companions : kCompanions)
+    if (lower_ending(path) == companions.of)
+      for (const char* ending : companions.endings)
+        if (ending != nullptr) add_companion(hash, path, ending);
+  // SQLite keeps the latest edits here until it is told to tidy up; one that is empty says no more than none
+  const fs::path log = path.string() + "-wal";
+  if (std::error_code none; fs::file_size(log, none) > 0 && !none) hash.add_file(log);
 }
 
 std::string input_hash(const BatchOptions& options, const std::vector<InputFile>& files) {
