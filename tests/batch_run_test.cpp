@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "batch_samples.hpp"
+#include "field_samples.hpp"
 #include "selion/core/error.hpp"
 #include "selion/field/read.hpp"
 #include "selion/field/stream.hpp"
@@ -206,6 +207,26 @@ TEST_CASE("shards of another division or job do not mix", "[batch]") {
   options.job.layout.overlap_m = 0.25;
   run_batch(options, nobody());
   CHECK_THROWS_WITH(merge_batch(options.folder, Earlier::refuse), Contains("another job"));
+}
+
+TEST_CASE("a batch that runs is not cleared away for another division", "[batch]") {
+  const BatchScratch scratch;
+  const fs::path fields = small_fields(scratch.at, 4);
+  BatchOptions options = small_batch(fields, scratch.at / "out");
+  options.shard = {1, 2};
+  run_batch(options, nobody());
+  BatchOptions other = options;
+  other.shard = {1, 3};
+  other.earlier = Earlier::replace;
+  std::string refused;
+  BatchWatch watch = nobody();
+  watch.progress = [&](const BatchProgress&) { refused = error_of([&] { run_batch(other, nobody()); }); };
+  options.shard = {2, 2};
+  run_batch(options, watch);
+  CHECK_THAT(refused, Contains("2-of-2.jsonl is being written by another process: this shard runs already"));
+  CHECK(merge_batch(options.folder, Earlier::refuse).total() == 4);
+  CHECK(run_batch(other, nobody()).total() > 0);  // once it has ended
+  CHECK_FALSE(fs::exists(options.folder / "journal/2-of-2.jsonl"));
 }
 
 TEST_CASE("a batch is resumed only as it was begun", "[batch]") {

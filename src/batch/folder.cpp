@@ -51,6 +51,17 @@ void remove_plan(const fs::path& folder, const BatchResult& result) {
   for (const char* ending : {".svg", ".pdf"}) fs::remove(folder / "maps" / (place + ending), ignored);
 }
 
+/// Held by this process alone until the handle is gone.
+FileHandle locked(const fs::path& journal) {
+  FileHandle handle{::open(journal.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)};
+  if (handle.number() < 0) fail(journal, "written", errno);
+  if (::flock(handle.number(), LOCK_EX | LOCK_NB) == 0) return handle;
+  const int error = errno;
+  if (error == EWOULDBLOCK)
+    throw InputError{journal.string() + " is being written by another process: this shard runs already"};
+  fail(journal, "locked", error);
+}
+
 bool is_of_division(const fs::path& journal, const Shard& shard) {
   return journal.filename().string().ends_with("-of-" + std::to_string(shard.count) + ".jsonl");
 }
@@ -133,13 +144,7 @@ ShardJournal::~ShardJournal() {
 
 void ShardJournal::open() {
   make_folder(file_.parent_path());
-  handle_ = FileHandle{::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)};
-  if (handle_.number() < 0) fail(file_, "written", errno);
-  if (::flock(handle_.number(), LOCK_EX | LOCK_NB) == 0) return;
-  const int error = errno;
-  if (error == EWOULDBLOCK)
-    throw InputError{file_.string() + " is being written by another process: this shard runs already"};
-  fail(file_, "locked", error);
+  handle_ = locked(file_);
 }
 
 void ShardJournal::refuse_earlier(const JournalIndex& index) const {
@@ -156,6 +161,7 @@ void ShardJournal::refuse_earlier(const JournalIndex& index) const {
 /// Shards of 1/4 and of 1/8 do not add up to a batch.
 void ShardJournal::clear_other_divisions(Earlier earlier) const {
   std::error_code none;
+  std::vector<std::pair<fs::path, FileHandle>> others;  // all are locked before the first is removed
   for (const fs::directory_entry& entry : fs::directory_iterator{file_.parent_path(), none}) {
     const fs::path& other = entry.path();
     if (other.extension() != ".jsonl" || is_of_division(other, shard_)) continue;
@@ -163,6 +169,9 @@ void ShardJournal::clear_other_divisions(Earlier earlier) const {
       throw InputError{folder_.string() + ": holds " + other.stem().string() +
                        " of a batch, another division than " + name_of(shard_) +
                        "; go on with that one, give --overwrite to replace it, or choose another -o DIR"};
+    others.emplace_back(other, locked(other));
+  }
+  for (const auto& [other, lock] : others) {
     read_journal(other, [&](const BatchResult& result) { remove_plan(folder_, result); });
     fs::remove(other);
   }
