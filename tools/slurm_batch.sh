@@ -17,7 +17,7 @@ fields=$2
 folder=$3
 shift 3
 case $shards in
-  *[!0-9]* | '' | 0)
+  *[!0-9]* | '' | 0*)
     echo "slurm_batch: '$shards' is no number of shards" >&2
     exit 2
     ;;
@@ -42,8 +42,9 @@ done
 array=$(sbatch --parsable ${SBATCH_OPTIONS:-} --job-name=selion-batch --array="1-$shards" --requeue --open-mode=append \
   --output="$folder/log/shard-%a.txt" --wrap="exec $job --resume --quiet --shard auto/$shards \
 --threads \"\${SLURM_CPUS_PER_TASK:-1}\"")
+array=${array%%;*}  # where there are several clusters, sbatch prints "number;cluster"
 # After any end of the tasks: of one that failed, the merge says so, and a task put back into the queue is waited for.
 # shellcheck disable=SC2086
 merge=$(sbatch --parsable ${SBATCH_OPTIONS:-} --job-name=selion-merge --dependency="afterany:$array" --open-mode=append \
   --output="$folder/log/merge.txt" --wrap="exec $(quoted "$SELION")batch --merge --overwrite -o $(quoted "$folder")")
-echo "slurm_batch: $shards shards in job $array, merged by job $merge; their words are in $folder/log"
+echo "slurm_batch: $shards shards in job $array, merged by job ${merge%%;*}; their words are in $folder/log"
