@@ -186,6 +186,11 @@ TEST_CASE("errors in coordinate text name the line", "[field][read]") {
   CHECK(mentions(error("56.1,168.9\n"), "latitude 168.9"));
   CHECK(mentions(error("9,5,56,4\n"), "semicolons"));
   CHECK(mentions(error("9,nan\n"), "line 1"));
+  for (const char* lon : {"-5.0W", "W -5.0", "+5.0 W", "-5.0E"}) {
+    CAPTURE(lon);
+    CHECK(mentions(error("5W,52N\n" + std::string{lon} + ",52N\n"),
+                   "line 2: '" + std::string{lon} + "' has a sign"));
+  }
   CHECK(mentions(error("# nothing\n"), "no coordinates"));
   CHECK(mentions(error("9,56\n9.1,56\n"), "2 positions"));
 }

@@ -82,6 +82,7 @@ TEST_CASE("a plan is held against coordinates as text, however they are written"
   CHECK_THAT(text_of(plan, backwards, {}), Catch::StartsWith("given_field"));
   CHECK_THAT(text_of(plan, kSquare.substr(0, kSquare.find("\n\n")), {}), Catch::StartsWith("given_left_out"));
   CHECK_THROWS_WITH(text_of(plan, kSquare + "10 fifty\n", {}), Catch::Contains("line 9"));
+  CHECK_THROWS_WITH(text_of(plan, kSquare + "-10W 50N\n", {}), Catch::Contains("line 9"));
   CHECK_THROWS_WITH(text_of(plan, "", {}), Catch::Contains("no coordinates"));
 }
 

@@ -45,6 +45,7 @@ enum class Axis { unknown, lon, lat };
 struct Ordinate {
   double value = 0;
   Axis axis = Axis::unknown;  ///< where a hemisphere letter says
+  bool signed_twice = false;  ///< "-5 W": by the sign and by the letter
 };
 
 struct Hemisphere {
@@ -92,11 +93,12 @@ std::optional<Ordinate> ordinate(std::string_view text) {
   if (const auto degree = token.find("\xC2\xB0"); degree != std::string::npos) token.erase(degree, 2);
   std::string_view rest = trimmed(token);
   const Hemisphere side = take_hemisphere(rest);
+  const bool signed_twice = side.axis != Axis::unknown && (rest.starts_with('-') || rest.starts_with('+'));
   if (rest.starts_with('+')) rest.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
   if (error != std::errc{} || end != rest.data() + rest.size() || !std::isfinite(value)) return std::nullopt;
-  return Ordinate{side.sign * value, side.axis};
+  return Ordinate{side.sign * value, side.axis, signed_twice};
 }
 
 struct Columns {
@@ -192,6 +194,8 @@ class TextReader {
     if (!found)
       fail("'" + std::string{token.substr(0, 40)} +
            "' is no number in decimal degrees; correct it, or put '#' before a comment");
+    if (found->signed_twice)
+      fail("'" + std::string{token.substr(0, 40)} + "' has a sign and a letter; leave one of them out");
     return *found;
   }
 

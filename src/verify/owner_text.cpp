@@ -62,6 +62,8 @@ std::optional<Ordinate> ordinate_of(std::string cell) {
     break;
   }
   cell = trimmed(cell);
+  const bool has_sign = cell.starts_with('-') || cell.starts_with('+');
+  if (has_sign && ordinate.letter != ' ') return std::nullopt;  // which of them is meant?
   if (cell.starts_with('+')) cell.erase(0, 1);
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), ordinate.value);
   if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(ordinate.value))
