@@ -265,6 +265,25 @@ TEST_CASE("archives, missing files and folders are told apart", "[field][read]")
   CHECK(mentions(error_of([&] { read_file(tiff.path()); }), "is no vector file"));
 }
 
+TEST_CASE("an archive that would fill the memory is refused before it is unpacked", "[field][read]") {
+  const TemporaryFile place{"small", ""};
+  const auto zip_of = [&](const std::string& name, int mebibytes) {
+    const std::string zip = (place.path().parent_path() / name).string();
+    void* open = reinterpret_cast<void* (*)(const char*, const char*)>(gdal_function("VSIFOpenL"))(
+        ("/vsizip/" + zip + "/doc.kml").c_str(), "wb");
+    const std::string blanks(1U << 20U, ' ');
+    for (int i = 0; i < mebibytes; ++i)
+      reinterpret_cast<std::size_t (*)(const void*, std::size_t, std::size_t, void*)>(
+          gdal_function("VSIFWriteL"))(blanks.data(), 1, blanks.size(), open);
+    reinterpret_cast<int (*)(void*)>(gdal_function("VSIFCloseL"))(open);
+    return zip;
+  };
+  const std::string bomb = zip_of("bomb.zip", 257);
+  CHECK(std::filesystem::file_size(bomb) < 1 << 20);
+  CHECK(mentions(error_of([&] { read_file(bomb); }), "unpacks to more than 256 MB"));
+  CHECK(mentions(error_of([&] { read_file(zip_of("blank.zip", 1)); }), "is no complete XML file"));
+}
+
 TEST_CASE("the paper's field is the same from GeoJSON, zipped shapefile, CSV and KML", "[field][read]") {
   const std::filesystem::path data = std::filesystem::path{SELION_DATA_DIR} / "fields";
   for (const auto& [one, other] :

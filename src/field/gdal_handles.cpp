@@ -74,6 +74,12 @@ std::string gdal_file_bytes(const std::string& path, const std::string& label) {
   return bytes;
 }
 
+unsigned long long gdal_file_size(const std::string& path) {
+  VSIStatBufL about{};
+  const int found = SELION_GDAL(VSIStatExL)(path.c_str(), &about, VSI_STAT_EXISTS_FLAG | VSI_STAT_SIZE_FLAG);
+  return found == 0 ? static_cast<unsigned long long>(about.st_size) : 0;
+}
+
 bool gdal_file_exists(const std::string& path) {
   VSIStatBufL about{};
   return SELION_GDAL(VSIStatExL)(path.c_str(), &about, VSI_STAT_EXISTS_FLAG) == 0;

@@ -40,6 +40,8 @@ class MemoryFolder {
 
 /// A whole file, GDAL's virtual ones too. @throws InputError where it cannot be read or is beyond 2 GB.
 std::string gdal_file_bytes(const std::string& path, const std::string& label);
+/// As its folder or archive says; 0 where there is none.
+unsigned long long gdal_file_size(const std::string& path);
 bool gdal_file_exists(const std::string& path);
 
 /// The names of the drivers that may open a user's file, ended by a null: all but those that open whatever

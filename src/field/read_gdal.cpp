@@ -24,6 +24,8 @@ namespace {
 constexpr std::array<std::string_view, 6> kKmlDrawing{"tessellate", "extrude", "visibility",
                                                       "drawOrder",  "icon",    "altitudeMode"};
 
+constexpr unsigned long long kMostUnpacked_bytes = 1ULL << 28U;
+
 /// GDAL's words, with its name of the file replaced by the user's.
 std::string in_our_words(std::string text, const std::string& path, const std::string& label) {
   for (auto at = text.find(path); at != std::string::npos; at = text.find(path, at + label.size()))
@@ -162,23 +164,39 @@ void read_one(const std::string& path, const std::string& label, RawFile& into) 
   }
 }
 
-/// Every file in the archive with one of these endings, in order of their names.
-std::vector<std::string> members(const std::string& archive, std::string_view ending) {
+/// All files in the archive, in order of their names.
+std::vector<std::string> members(const std::string& archive) {
   GdalMessages messages;
   char** list = SELION_GDAL(VSIReadDirRecursive)(archive.c_str());
   std::vector<std::string> found;
-  for (char** one = list; one != nullptr && *one != nullptr; ++one)
-    if (extension(*one) == ending && !file_name(*one).starts_with("._"))
-      found.push_back(archive + "/" + *one);
+  for (char** one = list; one != nullptr && *one != nullptr; ++one) found.push_back(archive + "/" + *one);
   SELION_GDAL(CSLDestroy)(list);
   std::sort(found.begin(), found.end());
   return found;
 }
 
+/// Those with this ending.
+std::vector<std::string> with_ending(std::vector<std::string> files, std::string_view ending) {
+  std::erase_if(files, [&](const std::string& one) {
+    return extension(one) != ending || file_name(one).starts_with("._");
+  });
+  return files;
+}
+
+/// Half a megabyte may unpack to gigabytes: asked before any is.
+void refuse_bomb(const std::vector<std::string>& files, const std::string& label) {
+  unsigned long long sum = 0;
+  for (const std::string& file : files) sum += gdal_file_size(file);
+  if (sum > kMostUnpacked_bytes)
+    throw InputError{label + " unpacks to more than 256 MB; unpack it, and give the field file in it"};
+}
+
 void read_archive(const std::string& file, const std::string& label, RawFile& into) {
   const std::string archive = "/vsizip/{" + file + "}";
+  const std::vector<std::string> all = members(archive);
+  refuse_bomb(all, label);
   for (const std::string_view ending : {"shp", "kml", "gpkg", "fgb", "gml", "geojson", "json", "tab"}) {
-    const auto found = members(archive, ending);
+    const auto found = with_ending(all, ending);
     for (const std::string& one : found) {
       const std::string name = label + ": " + one.substr(archive.size() + 1);
       if (ending == "geojson" || ending == "json") {
