@@ -183,18 +183,22 @@ std::vector<std::string> with_ending(std::vector<std::string> files, std::string
   return files;
 }
 
-/// Half a megabyte may unpack to gigabytes: asked before any is.
-void refuse_bomb(const std::vector<std::string>& files, const std::string& label) {
+/// Half a megabyte may unpack to gigabytes: asked before any is. Boundaries become a tenth as large at best.
+void refuse_bomb(const std::string& archive, const std::vector<std::string>& files,
+                 const std::string& label) {
+  constexpr unsigned long long kTimes = 100;
   unsigned long long sum = 0;
   for (const std::string& file : files) sum += gdal_file_size(file);
-  if (sum > kMostUnpacked_bytes)
-    throw InputError{label + " unpacks to more than 256 MB; unpack it, and give the field file in it"};
+  if (sum > kMostUnpacked_bytes && sum > kTimes * gdal_file_size(archive))
+    throw InputError{
+        label +
+        " unpacks to more than 256 MB, a hundred times its size; unpack it, and give the field file in it"};
 }
 
 void read_archive(const std::string& file, const std::string& label, RawFile& into) {
   const std::string archive = "/vsizip/{" + file + "}";
   const std::vector<std::string> all = members(archive);
-  refuse_bomb(all, label);
+  refuse_bomb(file, all, label);
   for (const std::string_view ending : {"shp", "kml", "gpkg", "fgb", "gml", "geojson", "json", "tab"}) {
     const auto found = with_ending(all, ending);
     for (const std::string& one : found) {
