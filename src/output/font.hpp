@@ -43,8 +43,8 @@ class Font {
 double cap_height_mm(TextStyle style);
 double line_height_mm(TextStyle style);
 
-/// `text` as valid UTF-8 without control characters, which neither XML nor Pango take, nor marks that turn the
-/// direction of text, by which names could hide what follows them.
+/// `text` as valid UTF-8 without control characters, which neither XML nor Pango take, nor marks that turn
+/// the direction of text, by which names could hide what follows them.
 std::string printable(const std::string& text);
 
 }  // namespace selion
