@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "parts.hpp"
+#include "swept_ground.hpp"
 
 namespace selion {
 namespace {
@@ -52,12 +53,6 @@ Polygons without_slits(const Ground& ground, const Polygons& areas) {
   return intersect(outset(inset(areas, narrow_m), narrow_m, kSharpest), areas);
 }
 
-Polygons swept_on(const Ground& ground, const Path& path) {
-  Polygons swept;
-  for (Ring& piece : swept_by_tool(ground.footprint, path)) swept.push_back({std::move(piece), {}});
-  return swept;
-}
-
 constexpr double kLeastInSlit = 1.5;  // of the working width: a shorter run is not worth a pass
 
 /// Along one side of the slit, and along the other where that works more.
@@ -71,7 +66,7 @@ void add_runs_in(const Ground& ground, const Polygon& slit, double room_m, std::
   Polygons worked;
   for (HeadlandRun& side : sides) {
     const double side_m = length_m(side.path);
-    Polygons swept = swept_on(ground, side.path);
+    Polygons swept = swept_by(ground.footprint, side.path);
     if (side_m < kLeastInSlit * width_m || area_m2(subtract(swept, worked)) < kLeastNew * width_m * side_m)
       continue;
     worked.insert(worked.end(), std::make_move_iterator(swept.begin()), std::make_move_iterator(swept.end()));
