@@ -37,7 +37,8 @@ class Bundle:
             included |= {line for line in own if line.startswith("#include")}
         self.file = folder / f"{sources[0].parent.name}_{sources[0].stem}.cpp"
         self.file.write_text("\n".join(text) + "\n")
-        self.arguments = [*options, f"-I{sources[0].parent}"]
+        # Only side by side does one source's name hide another's; the compiler tells of those within a source.
+        self.arguments = [*options, f"-I{sources[0].parent}", "-Wno-shadow"]
 
     def place(self, line):
         """A line of output with the source's own place in it, and that source where one is at fault."""
