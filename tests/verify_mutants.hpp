@@ -46,5 +46,7 @@ std::span<const Mutation> mutations_of_pieces();
 std::span<const Mutation> mutations_of_samples();
 std::span<const Mutation> mutations_of_records();
 std::span<const Mutation> mutations_of_layout();
+/// Within what checks of single samples and pieces allow for roundings.
+std::span<const Mutation> hidden_mutations();
 
 }  // namespace selion

@@ -2,6 +2,7 @@
 #include "test.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -95,8 +96,8 @@ TEST_CASE("of a thousand broken plans at least 99 % are rejected with the right 
   std::map<std::string, Score> by_name;
   const std::vector<PlanFile> plans = originals();
   for (const PlanFile& original : plans) CHECK(text_of(verify(original, std::nullopt)) == "");
-  for (const auto family :
-       {mutations_of_pieces(), mutations_of_samples(), mutations_of_records(), mutations_of_layout()})
+  for (const auto family : {mutations_of_pieces(), mutations_of_samples(), mutations_of_records(),
+                            mutations_of_layout(), hidden_mutations()})
     for (const Mutation& mutation : family)
       for (std::size_t i = 0; i < plans.size(); ++i)
         for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -252,6 +253,23 @@ TEST_CASE("a robot that pivots into another one is found", "[verify]") {
   CHECK(std::ranges::count(verdict.findings, "robots_too_close", &Finding::code) == (north_m < 1 ? 1 : 0));
 }
 
+TEST_CASE("a pivot that does most of its turn between two samples in no time is found", "[verify]") {
+  PlanFile plan = written(small_field(), "[machine]\npreset = \"husky\"\n[headland]\npasses = 0\n");
+  CHECK(text_of(verify(plan, std::nullopt)).empty());
+  std::vector<double>& times = plan.trajectories.at(0).t_s;
+  const std::vector<double>& headings = plan.trajectories.at(0).heading_rad;
+  const std::vector<double>& speeds = plan.trajectories.at(0).speed_mps;
+  std::size_t i = 1;
+  while (i + 1 < times.size() && !(speeds[i - 1] == 0 && speeds[i] == 0 && speeds[i + 1] == 0 &&
+                                   std::abs(headings[i + 1] - headings[i]) > 0.2))
+    ++i;
+  REQUIRE(i + 1 < times.size());
+  const double middle = (times[i] + times[i + 1]) / 2;
+  times[i] = middle - 1e-3, times[i + 1] = middle + 1e-3;
+  const Verdict verdict = verify(plan, std::nullopt);
+  CHECK(std::ranges::count(verdict.findings, "pivot_time", &Finding::code) > 0);
+}
+
 TEST_CASE("an obstacle on the way is found whatever block it is said to be of", "[verify]") {
   PlanFile plan = written(sample("f6.geojson"), "");
   const LonLatLine& line = plan.trajectories.at(0).line;
@@ -263,6 +281,18 @@ TEST_CASE("an obstacle on the way is found whatever block it is said to be of", 
   for (const auto& [east, north] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}})
     barn.area.shell.push_back({at.lon_deg + 1e-4 * east, at.lat_deg + 1e-4 * north});
   plan.obstacles.push_back(barn);
+  const Verdict verdict = verify(plan, std::nullopt);
+  CHECK(std::ranges::count(verdict.findings, "body_obstacle", &Finding::code) > 0);
+}
+
+TEST_CASE("a fence thinner than what is allowed for roundings is found on the way", "[verify]") {
+  PlanFile plan = written(small_field(), "[field]\nobstacle_clearance_m = 0\n");
+  CHECK(text_of(verify(plan, std::nullopt)).empty());
+  ObstacleRecord fence;
+  fence.block = 1;
+  fence.what = "obstacle";
+  fence.area.shell = polygon_of_metres({{{10, 20}, {50, 20}, {50, 20.015}, {10, 20.015}}, {}}).shell;
+  plan.obstacles.push_back(fence);
   const Verdict verdict = verify(plan, std::nullopt);
   CHECK(std::ranges::count(verdict.findings, "body_obstacle", &Finding::code) > 0);
 }

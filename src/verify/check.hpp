@@ -36,6 +36,7 @@ struct Case {
   std::vector<Ground> grounds;
   std::vector<Driven> drives;
   Findings& findings;
+  std::optional<Border> thin = std::nullopt;  ///< of obstacles that are too thin to be seen in `room`
 
   [[nodiscard]] const Ground* ground(int block) const;
 };
@@ -60,6 +61,8 @@ void check_bends(Case& plan, const Driven& driven);
 void check_samples(Case& plan, Driven& driven);
 /// Speeds, acceleration, lateral acceleration and steering between the moments.
 void check_speeds(Case& plan, const Driven& driven);
+/// Standing where pieces wait, pivot or change the gear; how fast the machine pivots.
+void check_stops(Case& plan, const Driven& driven);
 /// The time that lowering and raising the tool takes, and where it is lowered.
 void check_tool(Case& plan, const Driven& driven);
 /// Body and tool in the block and clear of obstacles, everywhere.

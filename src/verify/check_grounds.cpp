@@ -19,13 +19,30 @@ struct Standing {
   Shape hard;       ///< the same less kInside_m
 };
 
+double kept_m(const Case& plan, const ObstacleRecord& obstacle) {
+  return obstacle.what == "water" ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m;
+}
+
+Shape grown_by(const Case& plan, const ObstacleRecord& obstacle, double by_m) {
+  return grown(made_valid(polygon_of(local_outline(plan.plane, obstacle.area))), by_m);
+}
+
 Shape obstacles_of(const Case& plan, double share, double less_m) {
   std::vector<Shape> shapes;
+  for (const ObstacleRecord& obstacle : plan.plan.obstacles)
+    shapes.push_back(grown_by(plan, obstacle, share * kept_m(plan, obstacle) - less_m));
+  return shapes.empty() ? Shape{} : united(shapes);
+}
+
+/// Obstacles, and fences on them, of which nothing is left less kInside_m.
+Shape thin_obstacles(const Case& plan) {
+  constexpr double kCorner = 3;  // a right angle's tip lies 1.4 times as far off: it is not thin
+  std::vector<Shape> shapes;
   for (const ObstacleRecord& obstacle : plan.plan.obstacles) {
-    const bool water = obstacle.what == "water";
-    const double kept = water ? plan.vehicle.water_margin_m : plan.vehicle.obstacle_clearance_m;
-    shapes.push_back(
-        grown(made_valid(polygon_of(local_outline(plan.plane, obstacle.area))), share * kept - less_m));
+    const double kept = kept_m(plan, obstacle);
+    if (kept > kInside_m) continue;
+    const Shape rest = grown_by(plan, obstacle, kept - kInside_m);
+    shapes.push_back(without(grown_by(plan, obstacle, kept), grown(rest, kCorner * kInside_m)));
   }
   return shapes.empty() ? Shape{} : united(shapes);
 }
@@ -68,6 +85,7 @@ void add_grounds(Case& plan, const std::vector<LonLatArea>& parts) {
   for (const LonLatArea& part : parts)
     areas.push_back(area_of(plan, static_cast<int>(areas.size()) + 1, part));
   const Standing standing = standing_in(plan, areas);
+  if (const Shape thin = thin_obstacles(plan); thin && area_m2(thin) > 0) plan.thin.emplace(border_of(thin));
   for (const Shape& area : areas) {
     const Shape room = without(grown(area, kInside_m), standing.hard);
     plan.grounds.push_back({static_cast<int>(plan.grounds.size()) + 1, area, standing.obstacles,

@@ -79,8 +79,18 @@ class InsideCheck {
   void check_shape(std::size_t i, double span, const Member& member) {
     const int block = driven_.record->block;
     if (plan_.findings.full(member.outside, block) && plan_.findings.full(member.in_obstacle, block)) return;
-    const auto where = first_touch(driven_.pieces[i], 0, span, member.shape, ground_.border);
+    auto where = first_touch(driven_.pieces[i], 0, span, member.shape, ground_.border);
+    if (!where && plan_.thin) where = in_thin(*plan_.thin, driven_.pieces[i], span, member.shape);
     if (where) tell(i, span, *where, member);
+  }
+
+  /// Of a fence thinner than two centimetres nothing is left less one: the body is less instead. (A tool is a
+  /// line, of which there is nothing less.)
+  static std::optional<double> in_thin(const Border& thin, const PieceLine& piece, double span,
+                                       const Outline4& shape) {
+    const Outline4 less{shape.rear_m + kInside_m, shape.front_m - kInside_m, shape.half_m - kInside_m};
+    if (!(less.rear_m < less.front_m && less.half_m > 0)) return std::nullopt;
+    return first_touch(piece, 0, span, less, thin);
   }
 
   /// At `along`, metres of the curve, or radians of a pivot.

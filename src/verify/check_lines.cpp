@@ -102,8 +102,8 @@ class LineCheck {
     const Point b = line.back();
     std::vector<Point> tool = line_driven(stint, plan_.vehicle.machine.tool_x_m);
     if (distance_m(tool.front(), a) > distance_m(tool.front(), b)) std::ranges::reverse(tool);
-    const double off =
-        std::max({distance_m(tool.front(), a), distance_m(tool.back(), b), off_line_m(tool, line)});
+    const double off = std::max({distance_m(tool.front(), a), distance_m(tool.back(), b),
+                                 off_line_m(tool, line), off_line_m(line, tool)});
     if (!(off <= kLine_m))
       plan_.findings.add("swath_line", swath.block, a, {off, kLine_m},
                          "swath " + swath.id + " is driven " + shown(off, 3) + " m off its line");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -15,6 +16,14 @@ constexpr double kSpeed_mps = 1e-4;  // of a speed's and a time's rounding
 constexpr double kSettled_m = 1e-9;  // a step as short changes nothing any more
 constexpr double kNear_m = 1e-3;     // of a joint: the sample may belong to either side
 constexpr double kTurn = 2 * std::numbers::pi;
+
+/// Way driven beyond what speeds and times give, seen from the sample where it was least: between some sample
+/// and a later one it is too much if it is from that one, so roundings do not add up over many.
+struct Lead {
+  double sign;  ///< -1: of way that is missing
+  std::size_t from = 0;
+  double least_m = 0;
+};
 
 /// Walks along the samples of one trajectory.
 class SampleCheck {
@@ -153,12 +162,10 @@ class SampleCheck {
     const Moment& a = driven_.moments[i - 1];
     const Moment& b = driven_.moments[i];
     const double way = b.way_m - a.way_m;
-    const double told = (a.speed_mps + b.speed_mps) / 2 * span;
-    const double slack = kWay_m + kSpeed_mps * (span + a.speed_mps + b.speed_mps);
-    if (!(std::abs(way - told) <= slack))
-      say("sample_speed", i, {told, way},
-          "is " + shown(way, 4) + " m after the one before; speeds and times give " + shown(told, 4) + " m");
-    if (way <= 2 * kNear_m) return idle(i, span);
+    told_m_ += (a.speed_mps + b.speed_mps) / 2 * span;
+    rounded_m_ += kSpeed_mps * (span + std::abs(b.speed_mps - a.speed_mps));
+    for (Lead& lead : leads_) agrees(i, lead);
+    if (way <= 2 * kNear_m) return near(i, span);
     const Stop middle = driven_.stop((a.way_m + b.way_m) / 2);
     const PieceLine& piece = driven_.pieces[middle.piece];
     if (record_.tool[i - 1] != piece.record().tool)
@@ -170,9 +177,37 @@ class SampleCheck {
       say("sample_gap", i, {way, most}, "is " + shown(way, 2) + " m after the one before");
   }
 
+  /// Way by place against way by speeds and times.
+  void agrees(std::size_t i, Lead& lead) {
+    const double ahead = lead.sign * (driven_.moments[i].way_m - told_m_) - rounded_m_;
+    const Moment& from = driven_.moments[lead.from];
+    const double slack = kWay_m + kSpeed_mps * (from.speed_mps + driven_.moments[i].speed_mps);
+    const double off = ahead - lead.least_m;
+    if (!(off <= slack)) {
+      const double way = driven_.moments[i].way_m - from.way_m;
+      const double told = way - lead.sign * off;
+      say("sample_speed", i, {told, way},
+          "is " + shown(way, 4) + " m after sample " + std::to_string(lead.from + 1) +
+              "; speeds and times give " + shown(told, 4) + " m");
+    }
+    if (!(off >= 0 && off <= slack)) lead.from = i, lead.least_m = ahead;
+  }
+
+  /// Hardly farther than the sample before: it rests, or is driven as one of the pieces there.
+  void near(std::size_t i, double span) {
+    if (speed(i - 1) <= kSpeed_mps && speed(i) <= kSpeed_mps) return idle(i, span);
+    const auto some = [&](auto fits) { return of_some_piece(i - 1, fits) || of_some_piece(i, fits); };
+    const int tool = record_.tool[i - 1];
+    if (!some([tool](const PieceLine& line, double) { return line.record().tool == tool; }))
+      say("sample_tool", i - 1, {1.0 * tool, 1.0 * (1 - tool)}, "has another tool state than its piece");
+    const int gear = record_.speed_mps[speed(i) > kSpeed_mps ? i : i - 1] > 0 ? 1 : -1;
+    if (!some([gear](const PieceLine& line, double) { return line.record().gear == gear; }))
+      this->gear(i, -gear);
+  }
+
   /// It rests where a piece waits or pivots, and there only; with the tool as that piece has it.
   void idle(std::size_t i, double span) {
-    if (speed(i - 1) > kSpeed_mps || speed(i) > kSpeed_mps || !(span > 2e-3)) return;
+    if (!(span > 2e-3)) return;
     const auto stands_with = [](int tool) {
       return [tool](const PieceLine& line, double) { return line.stands() && line.record().tool == tool; };
     };
@@ -240,6 +275,9 @@ class SampleCheck {
   Driven& driven_;
   const TrajectoryRecord& record_;
   std::vector<Point> at_;
+  double told_m_ = 0;     ///< way by speeds and times, since the first sample
+  double rounded_m_ = 0;  ///< what their roundings add up to
+  std::array<Lead, 2> leads_{Lead{1}, Lead{-1}};
 };
 
 }  // namespace

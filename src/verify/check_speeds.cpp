@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "check.hpp"
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double kSpeed_mps = 1.5e-4;  // of the rounding of speeds, times and places
 constexpr double kSlack = 1 + 3e-4;    // what is left out where two samples fall together
+constexpr double kTime_s = 1e-4;       // of the rounding of two times
 
 /// A part of a piece on which the square of the speed grows evenly with the way.
 struct Part {
@@ -39,16 +41,35 @@ double largest(double from, double to, Function of) {
   return most;
 }
 
+/// The moment from which a speed is most below what a steady gain would have made of it: a gain is too large
+/// between some moment and a later one if it is from that one, so roundings do not add up over many.
+struct Steady {
+  double limit_mps2;
+  double sign;  ///< -1: of braking
+  const Moment* from = nullptr;
+
+  /// Above what a steady gain since then makes of the speed there.
+  [[nodiscard]] double above_mps(const Moment& to) const {
+    return sign * (to.speed_mps - from->speed_mps) - limit_mps2 * (to.t_s - from->t_s);
+  }
+};
+
 class SpeedCheck {
  public:
-  SpeedCheck(Case& plan, const Driven& driven) : plan_{plan}, driven_{driven} {}
+  SpeedCheck(Case& plan, const Driven& driven)
+      : plan_{plan},
+        driven_{driven},
+        gains_{Steady{plan.vehicle.machine.max_accel_mps2 * kSlack, 1},
+               Steady{plan.vehicle.machine.max_brake_mps2 * kSlack, -1}} {}
 
   void run() {
     std::size_t piece = 0;
+    if (!driven_.moments.empty())
+      for (Steady& steady : gains_) steady.from = &driven_.moments.front();
     for (std::size_t i = 1; i < driven_.moments.size(); ++i) {
       const Moment& a = driven_.moments[i - 1];
       const Moment& b = driven_.moments[i];
-      gain(a, b);
+      for (Steady& steady : gains_) gain(steady, b);
       while (piece + 1 < driven_.pieces.size() && driven_.begin_m[piece + 1] <= a.way_m) ++piece;
       for (std::size_t p = piece; p < driven_.pieces.size() && driven_.begin_m[p] < b.way_m; ++p)
         part(p, a, b);
@@ -61,29 +82,49 @@ class SpeedCheck {
                        "robot " + std::to_string(driven_.record->robot) + " " + what);
   }
 
-  void gain(const Moment& a, const Moment& b) {
-    const double span = b.t_s - a.t_s;
-    if (!(span > 0)) return;
+  void gain(Steady& steady, const Moment& to) {
+    constexpr double kSpeeds_mps = 1e-4;  // of the rounding of two speeds
+    const double above = steady.above_mps(to);
+    if (above > kSpeeds_mps + steady.limit_mps2 * kTime_s) tell_gain(steady, to);
+    if (above < 0 || above > kSpeeds_mps + steady.limit_mps2 * kTime_s) steady.from = &to;
+  }
+
+  void tell_gain(const Steady& steady, const Moment& to) {
+    const Moment& from = *steady.from;
+    const double gain = (to.speed_mps - from.speed_mps) / std::max(to.t_s - from.t_s, kTime_s);
+    const double limit = steady.limit_mps2 / kSlack;
+    say("acceleration", driven_.spot(from.way_m).at, {gain, limit},
+        (steady.sign > 0 ? "speeds up by " : "brakes by ") + shown(std::abs(gain), 3) + " m/s2 at " +
+            shown(from.t_s, 1) + " s; at most " + shown(limit, 3));
+  }
+
+  /// So short that to pass over it is as good as a joint.
+  [[nodiscard]] static bool is_nothing(const PieceLine& piece) {
+    constexpr double kNothing_m = 1e-6;
+    constexpr double kJoint_per_m = 1e-6;
+    return piece.length_m() <= kNothing_m &&
+           std::abs(piece.record().sharpness_per_m2) * piece.length_m() <= kJoint_per_m;
+  }
+
+  /// Where a short part lies is known as well as its samples' places: what the square of the speed changes by
+  /// over as much.
+  [[nodiscard]] double give_m2ps2(double long_m) const {
+    constexpr double kShort_m = 1e-3;
+    constexpr double kPlace_m = 3e-4;
     const Machine& m = plan_.vehicle.machine;
-    const double gain = (b.speed_mps - a.speed_mps) / span;
-    const double rounded = 1e-4 / span + 1e-4 * std::abs(gain) / span;
-    const double limit = gain > 0 ? m.max_accel_mps2 : m.max_brake_mps2;
-    if (std::abs(gain) <= limit * kSlack + rounded) return;
-    say("acceleration", driven_.spot(a.way_m).at, {gain, limit},
-        (gain > 0 ? "speeds up by " : "brakes by ") + shown(std::abs(gain), 3) + " m/s2 at " +
-            shown(a.t_s, 1) + " s; at most " + shown(limit, 3));
+    return long_m < kShort_m ? 2 * std::max(m.max_accel_mps2, m.max_brake_mps2) * kPlace_m : 0;
   }
 
   void part(std::size_t p, const Moment& a, const Moment& b) {
-    constexpr double kCrumb_m = 1e-3;
     const double from = std::max(a.way_m, driven_.begin_m[p]);
     const double to = std::min(b.way_m, driven_.begin_m[p + 1]);
-    if (to - from < kCrumb_m) return;
+    if (!(to > from) || is_nothing(driven_.pieces[p])) return;
+    const double give = give_m2ps2(to - from);
     const double v0 = a.speed_mps * a.speed_mps;
     const double v1 = b.speed_mps * b.speed_mps;
     const auto at = [&](double way) { return v0 + (way - a.way_m) / (b.way_m - a.way_m) * (v1 - v0); };
-    const auto less = [](double square) {
-      const double speed = std::max(0.0, std::sqrt(std::max(0.0, square)) - kSpeed_mps);
+    const auto less = [give](double square) {
+      const double speed = std::max(0.0, std::sqrt(std::max(0.0, square - give)) - kSpeed_mps);
       return speed * speed;
     };
     const PieceLine& line = driven_.pieces[p];
@@ -153,6 +194,7 @@ class SpeedCheck {
 
   Case& plan_;
   const Driven& driven_;
+  std::array<Steady, 2> gains_;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ Verdict verify(const PlanFile& file, const std::optional<GivenField>& given) {
       check_bends(plan, driven);
       check_samples(plan, driven);
       check_speeds(plan, driven);
+      check_stops(plan, driven);
       check_tool(plan, driven);
       check_inside(plan, driven);
       check_margin(plan, driven);

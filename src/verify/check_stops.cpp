@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "check.hpp"
+
+namespace selion::verifying {
+namespace {
+
+constexpr double kTime_s = 1e-4;     // of the rounding of two times
+constexpr double kSpeed_mps = 1e-4;  // of a speed's rounding
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// The slowest that the robot is at a place; where no sample stands there, of the samples around it.
+double slowest_mps(const Driven& driven, double way_m) {
+  constexpr double kNear_m = 1e-3;
+  const auto& moments = driven.moments;
+  auto at = std::ranges::lower_bound(moments, way_m - kNear_m, {}, &Moment::way_m);
+  if (at == moments.end()) return moments.back().speed_mps;
+  double slowest = at->speed_mps;
+  for (++at; at != moments.end() && at->way_m <= way_m + kNear_m; ++at)
+    slowest = std::min(slowest, at->speed_mps);
+  return slowest;
+}
+
+/// Where pieces wait, pivot or change the gear.
+void check_stop(Case& plan, const Driven& driven, std::size_t i) {
+  const PieceLine& piece = driven.pieces[i];
+  const bool turns_back = i > 0 && driven.pieces[i - 1].record().gear != piece.record().gear;
+  if (!piece.stands() && !turns_back) return;
+  const Machine& m = plan.vehicle.machine;
+  const double slack = kSpeed_mps + 2 * kTime_s * std::max(m.max_accel_mps2, m.max_brake_mps2);
+  const double speed = slowest_mps(driven, driven.begin_m[i]);
+  if (speed <= slack) return;
+  plan.findings.add("rest", driven.record->block, piece.spot(0).at, {speed, 0},
+                    piece_name(driven, i) + " begins at " + shown(speed, 3) + " m/s, where the machine " +
+                        (piece.stands() ? "must stand" : "changes its gear"));
+}
+
+/// How fast a machine rotates on the spot: between samples the rate changes evenly (docs/plan.md).
+class SpinCheck {
+ public:
+  SpinCheck(Case& plan, const Driven& driven) : plan_{plan}, driven_{driven} {
+    const Machine& m = plan.vehicle.machine;
+    const double wheels = 2 / m.track_m;
+    most_rad_s_ = wheels * m.turn_speed_mps;
+    gain_ = wheels * m.max_accel_mps2, loss_ = wheels * m.max_brake_mps2;
+  }
+
+  void run() {
+    for (std::size_t i = 1; i < driven_.moments.size(); ++i)
+      interval(driven_.moments[i - 1], driven_.moments[i]);
+  }
+
+ private:
+  void interval(const Moment& a, const Moment& b) {
+    constexpr double kStill_rad = 1e-5;
+    const double turned = std::abs(std::remainder(b.heading_rad - a.heading_rad, kTurn));
+    const double span = b.t_s - a.t_s;
+    const bool stands = a.speed_mps <= kSpeed_mps && b.speed_mps <= kSpeed_mps;
+    if (!stands || turned <= kStill_rad || !(span > 0)) {
+      rate_ = off_ = 0;
+      return;
+    }
+    const double rate = 2 * turned / span - rate_;
+    const double off = off_ + 2 * (kStill_rad + most_rad_s_ * kTime_s) / span;
+    const double change = (rate > rate_ ? gain_ : loss_) * (span + kTime_s);
+    if (turned > most_rad_s_ * (span + kTime_s) + kStill_rad || std::abs(rate) > most_rad_s_ + off ||
+        std::abs(rate - rate_) > change + off + off_)
+      say(a, {turned / span, most_rad_s_});
+    rate_ = rate, off_ = off;
+  }
+
+  void say(const Moment& at, Measured rate) {
+    plan_.findings.add("pivot_time", driven_.record->block, driven_.spot(at.way_m).at, rate,
+                       "robot " + std::to_string(driven_.record->robot) + " rotates by " +
+                           shown(rate.measure, 3) + " rad/s at " + shown(at.t_s, 1) +
+                           " s, from or to rest faster than its wheels; they reach " + shown(rate.limit, 3));
+  }
+
+  Case& plan_;
+  const Driven& driven_;
+  double most_rad_s_ = 0;
+  double gain_ = 0;  ///< of that rate, in rad/s2
+  double loss_ = 0;
+  double rate_ = 0;  ///< at the sample before
+  double off_ = 0;   ///< what roundings may make of it
+};
+
+}  // namespace
+
+void check_stops(Case& plan, const Driven& driven) {
+  if (driven.moments.empty()) return;
+  for (std::size_t i = 0; i < driven.pieces.size(); ++i) check_stop(plan, driven, i);
+  SpinCheck{plan, driven}.run();
+}
+
+}  // namespace selion::verifying
