@@ -59,3 +59,23 @@ TEST_CASE("corners close together are evened out by no more than is said", "[geo
   CHECK(worst_m > 0);
   CHECK(worst_m <= evened_area.stray_m);
 }
+
+TEST_CASE("a ring simplified to the left leaves none of its corners left of it", "[geometry]") {
+  Ring wavy;  // anticlockwise: left is inside
+  for (int i = 0; i < 400; ++i)
+    wavy.push_back((100 + 0.15 * std::sin(23.0 * i)) * unit(2 * std::numbers::pi * i / 400));
+  const Ring inside = simplified_to_left(wavy, 0.2);
+  const Ring around = simplified_to_left({wavy.rbegin(), wavy.rend()}, 0.2);
+  CHECK(inside.size() < wavy.size() / 3);
+  for (const Point p : wavy) {
+    CHECK((!contains(Polygon{inside, {}}, p) || off_m(inside, p) < 1e-9));
+    CHECK((contains(Polygon{around, {}}, p) || off_m(around, p) < 1e-9));
+    CHECK(off_m(inside, p) < 0.6);
+    CHECK(off_m(around, p) < 0.6);
+  }
+}
+
+TEST_CASE("a straight ring is simplified to the left without being moved", "[geometry]") {
+  const Ring square{{0, 0}, {50, 0}, {100, 0}, {100, 100}, {0, 100}};
+  CHECK(simplified_to_left(square, 0.1) == simplified(square, 0.1));
+}

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace selion {
@@ -42,10 +45,13 @@ std::size_t corner_count(const Polygon& area) {
   return sum;
 }
 
-}  // namespace
+using Indices = std::vector<std::size_t>;
 
-Ring simplified(const Ring& ring, double tolerance_m) {
-  if (ring.size() < 4) return ring;
+/// Of the corners that are kept; all of them where fewer than three would be.
+Indices kept(const Ring& ring, double tolerance_m) {
+  Indices all(ring.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (ring.size() < 4) return all;
   const auto farther = [&ring](const Point& a, const Point& b) {
     return distance_m(ring[0], a) < distance_m(ring[0], b);
   };
@@ -55,10 +61,56 @@ Ring simplified(const Ring& ring, double tolerance_m) {
   keep[0] = keep[opposite] = true;
   keep_between(ring, 0, opposite, tolerance_m, keep);
   keep_between(ring, opposite, ring.size(), tolerance_m, keep);
+  Indices out;
+  std::ranges::copy_if(all, std::back_inserter(out), [&keep](std::size_t i) { return keep[i]; });
+  return out.size() < 3 ? all : out;
+}
+
+/// How far the ring lies left of the line from one of its corners to another.
+double farthest_left_m(const Ring& ring, std::size_t from, std::size_t to) {
+  const Point way = ring[to] - ring[from];
+  const double length = length_m(way);
+  double left_m = 0;
+  for (std::size_t i = from; length > 0 && i != to; i = (i + 1) % ring.size())
+    left_m = std::max(left_m, cross(way, ring[i] - ring[from]) / length);
+  return left_m;
+}
+
+/// A corner moved so that both of its edges get `by_m` to the left, unless it is so sharp that it would move
+/// far.
+Point moved_left(Point before, Point at, Point after, double by_m) {
+  constexpr double kMost = 3;
+  const Point in = at - before;
+  const Point out = after - at;
+  if (by_m == 0 || !(length_m(in) > 0 && length_m(out) > 0)) return at;
+  const Point normal = (1 / length_m(in)) * left_of(in);
+  const Point middle = normal + (1 / length_m(out)) * left_of(out);
+  const double square = dot(middle, middle);
+  if (!(square > 1e-12)) return at;
+  return at + by_m * std::min(2 / square, kMost / std::sqrt(square)) * middle;
+}
+
+}  // namespace
+
+Ring simplified(const Ring& ring, double tolerance_m) {
   Ring out;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (keep[i]) out.push_back(ring[i]);
-  return out.size() < 3 ? ring : out;
+  for (const std::size_t i : kept(ring, tolerance_m)) out.push_back(ring[i]);
+  return out;
+}
+
+Ring simplified_to_left(const Ring& ring, double tolerance_m) {
+  const Indices corners = kept(ring, tolerance_m);
+  const std::size_t count = corners.size();
+  std::vector<double> left_m(count);  // of the edge from each
+  for (std::size_t i = 0; i < count; ++i)
+    left_m[i] = farthest_left_m(ring, corners[i], corners[(i + 1) % count]);
+  Ring out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = (i + count - 1) % count;
+    out.push_back(moved_left(ring[corners[before]], ring[corners[i]], ring[corners[(i + 1) % count]],
+                             std::max(left_m[before], left_m[i])));
+  }
+  return out;
 }
 
 Polygon simplified(const Polygon& area, double tolerance_m) {

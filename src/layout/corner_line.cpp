@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "selion/core/angle.hpp"
-#include "selion/geometry/simplify.hpp"
 
 namespace selion {
 namespace {
@@ -18,14 +17,12 @@ constexpr double kGentleCut_m =
 
 }  // namespace
 
-CornerLine::CornerLine(const Ground& ground, const Ring& ring, double room_m, double stray_m)
-    : ground_{ground} {
+CornerLine::CornerLine(const Ground& ground, const Ring& line, double room_m) : ground_{ground} {
   const double most = 1 / ground.machine.min_work_radius_m.value_or(1e-9);
   tight_ = limits_at(ground.machine, ground.machine.turn_speed_mps);
   gentle_ = limits_at(ground.machine, ground.machine.work_speed_mps);
   tight_.curvature_per_m = std::min(tight_.curvature_per_m, most);
   gentle_.curvature_per_m = std::min(gentle_.curvature_per_m, most);
-  const Ring line = simplified(ring, stray_m);
   count_ = line.size();
   for (Index i = 0; i < count_; ++i) {
     Vertex v;

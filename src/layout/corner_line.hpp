@@ -16,9 +16,8 @@ namespace selion {
 /// corner_repair.cpp moves what does not fit.
 class CornerLine {
  public:
-  /// `room_m`: beyond the lane's outer edge, for body and tool to swing out into. `stray_m`: how far corners
-  /// may be cut or left out at first.
-  CornerLine(const Ground& ground, const Ring& ring, double room_m, double stray_m);
+  /// `room_m`: beyond the lane's outer edge, for body and tool to swing out into.
+  CornerLine(const Ground& ground, const Ring& line, double room_m);
 
   /// Merges and drops corners until each has room on its edges. False where nothing is left to drive round.
   bool make_room();

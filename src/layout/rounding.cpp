@@ -14,15 +14,15 @@ namespace {
 constexpr int kMostRepairs = 60;
 
 /// Repairs until all fits.
-std::vector<HeadlandRun> runs_along(const Ground& ground, const Ring& ring, double room_m, double stray_m) {
-  CornerLine corners{ground, ring, room_m, stray_m};
+std::vector<HeadlandRun> runs_along(const Ground& ground, const Ring& line, double room_m) {
+  CornerLine corners{ground, line, room_m};
   bool moved = true;
   for (int round = 0; moved && round < kMostRepairs; ++round) {
-    if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m), room_m);
+    if (!corners.make_room()) return runs_on_edges(ground, line, room_m);
     corners.make_gentle();
     moved = corners.repair();
   }
-  if (!corners.make_room()) return runs_on_edges(ground, simplified(ring, stray_m), room_m);
+  if (!corners.make_room()) return runs_on_edges(ground, line, room_m);
   if (!moved && corners.fits()) return {{corners.path(), true}};
   return corners.fitting_runs();
 }
@@ -71,18 +71,19 @@ class Longest {
 
 }  // namespace
 
-/// Where the ring itself leads nowhere round, by lines that stray further: noise of the border is no way. A
-/// loop that leaves much of the ring out, as in a band in which it turns too early, has to work more than
-/// runs along the sides would.
+/// Where the ring itself leads nowhere round, by lines that stray further, away from the border: its noise is
+/// no way. A loop that leaves much of the ring out, as in a band in which it turns too early, has to work
+/// more than runs along the sides would.
 std::vector<HeadlandRun> drivable_along(const Ground& ground, const Ring& ring, double room_m) {
   constexpr double kAllRound = 0.8;
   Longest longest{ground};
   for (const double stray_m : {kFollow_m, 5 * kFollow_m, 20 * kFollow_m}) {
-    std::vector<HeadlandRun> runs = runs_along(ground, ring, room_m, stray_m);
+    const Ring line = stray_m > kFollow_m ? simplified_to_left(ring, stray_m) : simplified(ring, stray_m);
+    std::vector<HeadlandRun> runs = runs_along(ground, line, room_m);
     const bool loop = runs.size() == 1 && runs.front().closed;
     if (loop && length_m(runs.front().path) >= kAllRound * perimeter_m(Polygon{ring, {}})) return runs;
     longest.offer(std::move(runs));
-    if (loop) longest.offer(runs_on_edges(ground, simplified(ring, stray_m), room_m));
+    if (loop) longest.offer(runs_on_edges(ground, line, room_m));
   }
   return std::move(longest).runs();
 }

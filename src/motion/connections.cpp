@@ -15,6 +15,10 @@ namespace selion {
 namespace {
 
 constexpr double kHair_m = 1e-8;
+// Turned by steering to the limit and back; below, flat turns are the shortest to 0.7 mm.
+constexpr double kQuick_rad = 0.5;
+// Beyond the first flat turns by as much of their width, times that angle (to 1), they are the shortest.
+constexpr double kFarther = 0.6;
 
 /// The least that a family's ways turn left and right.
 double least_rad(Asked asked, double heading_rad) {
@@ -101,13 +105,16 @@ class Connections::Queue {
 
   /// Between swaths side by side nothing is shorter than the loop or the dip, and nothing than the flat turn
   /// to a swath far aside: searching has found none, so the other families need not be asked before. A little
-  /// beyond the first flat turns, and where a swath is driven on, others may be shorter.
+  /// beyond the first flat turns others may be shorter, by a millimetre where the curvature is steered
+  /// quickly against the turn's length, and by a few centimetres else; and where a swath is driven on.
   [[nodiscard]] double shortest_u_turn_m() const {
     const auto turn = u_turn(view_.goal);
     if (may_ != Manoeuvres{} || !turn || turn->before_m + std::abs(turn->after_m) > 1e-9) return 0;
     const double flat_from_m = std::numbers::sqrt2 * swings_.chord(std::numbers::pi / 2).length_m;
-    const double aside_m = std::abs(turn->goal.at.y_m);
-    if (aside_m > flat_from_m && aside_m < 1.5 * flat_from_m) return 0;
+    const double steered_rad =
+        std::pow(swings_.limits().curvature_per_m, 2) / swings_.limits().sharpness_per_m2;
+    const double far = std::abs(turn->goal.at.y_m) / flat_from_m;
+    if (steered_rad > kQuick_rad && far > 1 && far < 1 + kFarther * std::min(steered_rad, 1.0)) return 0;
     return entries_.empty() ? 0 : entries_.front().least_m + kHair_m;
   }
 

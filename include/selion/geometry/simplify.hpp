@@ -9,6 +9,9 @@ namespace selion {
 /// 1973).
 /// @returns the ring itself where fewer than three corners would be left.
 Ring simplified(const Ring& ring, double tolerance_m);
+/// As much, moved to the left where it cuts off what the ring has there, so that none of the ring's corners
+/// lies left of it.
+Ring simplified_to_left(const Ring& ring, double tolerance_m);
 /// Each ring for itself.
 Polygon simplified(const Polygon& area, double tolerance_m);
 

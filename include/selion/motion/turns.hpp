@@ -62,9 +62,9 @@ bool allows(const Manoeuvres& may, Needs needs);
 /// with clothoids, fishtail and pivot (any two poses).
 std::span<const TurnKind> turns();
 
-/// The candidates of all families, shortest first, each way once; never empty. Poses that agree are connected
-/// by a straight of length 0. A family is worked out only when it might have the next one: who needs one way
-/// pays for one.
+/// The candidates of all families, shortest first (flat U-turns to 0.7 mm), each way once; never empty. Poses
+/// that agree are connected by a straight of length 0. A family is worked out only when it might have the
+/// next one: who needs one way pays for one.
 class Connections {
  public:
   /// Forwards only. `swings` must outlive this.
