@@ -133,14 +133,15 @@ std::optional<Dip> even_dip(const Pose& goal, double deflection_rad, const Swing
   const CurveLimits& limits = swings.limits();
   const double half = deflection_rad / 2;
   const double apart = length_m(goal.at);
+  const double most = std::min(limits.curvature_per_m, std::sqrt(limits.sharpness_per_m2 * deflection_rad));
+  const RootEnd closest{most, swings.chord(deflection_rad).length_m - apart};
+  if (closest.y > 0) return std::nullopt;
   const Point along = unit(half);
   const auto excess = [&](double dip) {
     return 2 * dot(way_of(*half_of(dip, half, limits), dip, half, swings), along) - apart;
   };
-  const double most = std::min(limits.curvature_per_m, std::sqrt(limits.sharpness_per_m2 * deflection_rad));
   const RootEnd widest{0, excess(0)};
-  const RootEnd closest{most, swings.chord(deflection_rad).length_m - apart};
-  if (widest.y < 0 || closest.y > 0) return std::nullopt;
+  if (widest.y < 0) return std::nullopt;
   return Dip{root_between(widest, closest, excess), half, half, along, along};
 }
 
