@@ -185,9 +185,9 @@ std::pair<bool, BatchSlow> work(Tasks& tasks, const BatchOptions& options, Shard
 
 void BatchSlow::take(const BatchResult& result, double took_s) {
   fields += took_s > kLong_s ? 1 : 0;
-  if (took_s <= most_s) return;
-  most_s = took_s;
-  slowest = result.file + ", field " + std::to_string(result.number);
+  const auto faster = std::ranges::find_if(slowest, [took_s](const Field& f) { return f.took_s < took_s; });
+  slowest.insert(faster, {took_s, result.file + ", field " + std::to_string(result.number)});
+  if (slowest.size() > kMostNamed) slowest.pop_back();
 }
 
 std::size_t BatchCount::total() const {

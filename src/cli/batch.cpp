@@ -114,9 +114,13 @@ int checked(const BatchCount& count, Terminal& terminal) {
 
 void say_what_took_long(const BatchSlow& slow, Terminal& terminal) {
   if (slow.fields == 0) return;
+  std::string named;
+  for (std::size_t i = 0; i < std::min(slow.fields, slow.slowest.size()); ++i)
+    named += (i == 0 ? ": " : "; ") + printable(slow.slowest[i].place) + " (" +
+             fixed(slow.slowest[i].took_s, 1) + " s)";
   terminal.note(std::to_string(slow.fields) + (slow.fields == 1 ? " field" : " fields") +
-                " took longer than " + fixed(BatchSlow::kLong_s, 0) + " s, the slowest " +
-                fixed(slow.most_s, 1) + " s: " + printable(slow.slowest));
+                " took longer than " + fixed(BatchSlow::kLong_s, 0) + " s" + named +
+                (slow.fields > slow.slowest.size() ? "; and others" : ""));
 }
 
 void say_what_is_next(const BatchCount& count, const BatchOptions& options, Terminal& terminal) {

@@ -53,9 +53,13 @@ struct BatchWatch {
 /// Fields of this run that took long, on the clock.
 struct BatchSlow {
   static constexpr double kLong_s = 2;
-  std::size_t fields = 0;  ///< that took longer
-  double most_s = 0;       ///< of all
-  std::string slowest;     ///< its file and number
+  static constexpr std::size_t kMostNamed = 10;
+  struct Field {
+    double took_s = 0;
+    std::string place;  ///< its file and number
+  };
+  std::size_t fields = 0;      ///< that took longer
+  std::vector<Field> slowest;  ///< at most so many, the slowest first, those that took less among them
 
   void take(const BatchResult& result, double took_s);
 };
