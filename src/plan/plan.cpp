@@ -60,16 +60,26 @@ RouteOptions route_options(const Block& block, const Job& job) {
 
 struct Attempt {
   Interior interior = Interior::swaths;
-  double beyond_m2 = 0;  ///< not driven where it cannot cover more
+  double beyond_m2 = 0;  ///< not driven where it can hardly cover more
 };
+
+/// Not all that lines cover is reached: to promise a hair more is not worth a try, unless the block would be
+/// well covered.
+bool promises_more(double lines_m2, double beyond_m2, const Block& block) {
+  constexpr double kGain = 0.01;
+  const double area = area_m2(block.area);
+  const double enough_m2 = kPlannedShare * area;
+  return lines_m2 > beyond_m2 + kGain * area || (lines_m2 >= enough_m2 && beyond_m2 < enough_m2);
+}
 
 Result<PlannedBlock> plan_as_told(const Block& block, const LocalFrame& frame, const Job& job,
                                   const Progress& progress, const Attempt& attempt = {}) {
   progress("laying out", 0);
   auto layout = lay_out(block, frame, job, attempt.interior);
   if (!layout) return layout.error();
-  if (attempt.beyond_m2 > 0 && coverage_of_all(block, *layout, job.machine).covered_m2 <= attempt.beyond_m2)
-    return Infeasible{"it would cover no more"};
+  if (attempt.beyond_m2 > 0 &&
+      !promises_more(coverage_of_all(block, *layout, job.machine).covered_m2, attempt.beyond_m2, block))
+    return Infeasible{"it would cover hardly more"};
   auto driven = route(block, *layout, job.machine, route_options(block, job), progress);
   if (!driven) return driven.error();
   Coverage coverage = coverage_of(block, *layout, *driven, job.machine);

@@ -33,7 +33,7 @@ Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
                machine.may_reverse,
                mainland_,
                machine} {
-  constexpr std::size_t kMostLeftInBands = 2000;
+  constexpr std::size_t kMostLeftInBands = 500;
   if (layout.swaths.empty()) terrain_.most_left = kMostLeftInBands;
 }
 
