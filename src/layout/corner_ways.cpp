@@ -41,10 +41,8 @@ double beyond_m(const Ground& ground, const LeftTurn& turn) {
 std::optional<Path> turn_ahead(const Ground& ground, const Pose& from, const Pose& to) {
   const double longest_m = 14 / ground.swings.limits().curvature_per_m + 6 * ground.half_m;
   Connections turns{from, to, ground.swings};
-  while (auto way = turns.next()) {
-    if (length_m(*way) > longest_m) break;
+  while (auto way = turns.next(longest_m))
     if (stays_inside(ground.space, ground.footprint, *way)) return way;
-  }
   return std::nullopt;
 }
 

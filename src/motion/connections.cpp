@@ -47,9 +47,9 @@ class Connections::Queue {
     for (std::size_t i = 0; i < all.size(); ++i) push_family(i, all[i].asked);
   }
 
-  std::optional<Path> next() {
-    if (auto path = direct()) return path;
-    return found_any_ ? std::nullopt : driven_on();
+  std::optional<Path> next(double longest_m) {
+    if (auto path = direct(longest_m)) return path;
+    return found_any_ || !entries_.empty() ? std::nullopt : driven_on(longest_m);
   }
 
  private:
@@ -65,8 +65,8 @@ class Connections::Queue {
     ThreeSwingSearch::Start start;
   };
 
-  std::optional<Path> direct() {
-    while (!entries_.empty()) {
+  std::optional<Path> direct(double longest_m) {
+    while (!entries_.empty() && entries_.front().least_m <= longest_m) {
       std::pop_heap(entries_.begin(), entries_.end(), later);
       const Entry entry = entries_.back();
       entries_.pop_back();
@@ -177,18 +177,20 @@ class Connections::Queue {
   }
 
   /// Where nothing else fits: straight on until the goal lies so far back that a turn towards it does.
-  std::optional<Path> driven_on() {
+  std::optional<Path> driven_on(double longest_m) {
     const double k = swings_.limits().curvature_per_m;
     const double least_m = 1 / k + k / swings_.limits().sharpness_per_m2;
     for (; doubled_ < 30; ++doubled_) {
+      const double ahead_m = std::ldexp(least_m, doubled_);
+      if (ahead_m > longest_m) break;
       Drawn start{view_.from, view_.ahead};
-      draw_line(start, std::ldexp(least_m, doubled_));
+      draw_line(start, ahead_m);
       if (!rest_) rest_ = std::make_unique<Queue>(start.at, view_.to, swings_, may_);
-      if (auto more = rest_->direct()) {
+      if (auto more = rest_->direct(longest_m - ahead_m)) {
         append(start.path, *more);
         return std::move(start.path);
       }
-      if (rest_->found_any_) break;
+      if (rest_->found_any_ || !rest_->entries_.empty()) break;
       rest_.reset();
     }
     return std::nullopt;
@@ -221,7 +223,7 @@ Connections::~Connections() = default;
 Connections::Connections(Connections&&) noexcept = default;
 Connections& Connections::operator=(Connections&&) noexcept = default;
 
-std::optional<Path> Connections::next() { return queue_->next(); }
+std::optional<Path> Connections::next(double longest_m) { return queue_->next(longest_m); }
 
 std::vector<Path> connections(const Pose& from, const Pose& to, const CurveLimits& limits) {
   const Swings swings{limits};

@@ -191,10 +191,8 @@ std::optional<Path> straight_on(const Pose& from, const Pose& to) {
 std::optional<Path> turn_ahead(const Terrain& terrain, const Swings& swings, const Pose& from, const Pose& to,
                                double longest_m) {
   Connections turns{from, to, swings};
-  while (auto turn = turns.next()) {
-    if (length_m(*turn) > longest_m) break;
+  while (auto turn = turns.next(longest_m))
     if (stays_inside(terrain.space, terrain.footprint, *turn)) return turn;
-  }
   return std::nullopt;
 }
 

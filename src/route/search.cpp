@@ -201,8 +201,7 @@ std::optional<Arrival> Search::shot(std::size_t node) {
     tried_[goal] = true;
     if (dubins_length_m(here, goals_[goal], 1 / terrain_.limits.curvature_per_m) > longest) continue;
     Connections turns{here, goals_[goal], terrain_.swings};
-    while (auto turn = turns.next()) {
-      if (length_m(*turn) > longest) break;
+    while (auto turn = turns.next(longest)) {
       if (stays_inside(terrain_.space, terrain_.footprint, *turn)) return Arrival{goal, std::move(*turn)};
     }
   }

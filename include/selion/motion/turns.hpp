@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -76,8 +77,8 @@ class Connections {
   Connections(const Connections&) = delete;
   Connections& operator=(const Connections&) = delete;
 
-  /// The next longer one; absent when there are no more.
-  std::optional<Path> next();
+  /// The next longer one, of at most `longest_m`; absent when there are no more.
+  std::optional<Path> next(double longest_m = std::numeric_limits<double>::infinity());
 
  private:
   class Queue;
