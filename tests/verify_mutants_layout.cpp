@@ -164,6 +164,16 @@ const std::vector<Mutation>& of_layout() {
       {"swap A and B",
        {"ab", "swath_direction"},
        to_one(&P::ab_lines, [](auto& a, Dice&) { std::swap(a.a, a.b); })},
+      {"move an AB line aside",
+       {"swath_spacing"},
+       to_one(&P::ab_lines,
+              [](auto& a, Dice& d) {
+                const double by = d.between(1e-6, 1e-4);
+                const LonLat way{a.b.lon_deg - a.a.lon_deg, a.b.lat_deg - a.a.lat_deg};
+                const double far = std::hypot(way.lon_deg, way.lat_deg);
+                const LonLat aside{-by * way.lat_deg / far, by * way.lon_deg / far};
+                for (LonLat* end : {&a.a, &a.b}) end->lon_deg += aside.lon_deg, end->lat_deg += aside.lat_deg;
+              })},
       {"drop the AB lines", {"ab"}, without(&P::ab_lines)},
       {"ask for another AB line", {"ab"}, job("ab", "[10,50,10.001,50.0005]")},
       {"ask for another bearing", {"ab"}, job("direction", "17.25")},

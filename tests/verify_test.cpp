@@ -229,6 +229,15 @@ TEST_CASE("only the gate that is driven through has to be wide enough", "[verify
   CHECK(text_of(verify(plan, std::nullopt)) != "");
 }
 
+TEST_CASE("a band worked along its borders passes whatever the rule for swaths", "[verify]") {
+  const Field band = field_of_metres(
+      {{{{0, 0}, {60, 0}, {100, 30}, {100, 90}, {94.6, 90}, {94.6, 32.7}, {58.2, 5.4}, {0, 5.4}}, {}}});
+  const auto direction = GENERATE("edge", "p3", "40");
+  const PlanFile plan = written(band, std::string{"[layout]\ndirection = \""} + direction + "\"\n");
+  CHECK(plan.swaths.empty());
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
 TEST_CASE("a robot that pivots into another one is found", "[verify]") {
   PlanFile plan = written(small_field(), "[machine]\npreset = \"husky\"\nsafety_gap_m = 0.1\n");
   const double north_m = GENERATE(0.95, 1.2);  // at 0.95 m its corner comes within 2 cm

@@ -66,6 +66,13 @@ class AbCheck {
     return longest;
   }
 
+  /// Passes alone have no direction.
+  [[nodiscard]] bool has_strips() const {
+    return std::ranges::any_of(plan_.plan.swaths, [this](const SwathRecord& swath) {
+      return swath.block == ab_.block && strip_of(swath.id).has_value();
+    });
+  }
+
   [[nodiscard]] double rounding_deg() const {
     return std::atan(kRounded_m / std::max(length_m_, kRounded_m)) / kDegree;
   }
@@ -94,7 +101,7 @@ class AbCheck {
         say("ab", a_, {points, *work.direction_deg},
             "the AB line bears " + shown(points, 2) + " degrees, the job asks for " +
                 shown(*work.direction_deg, 2));
-    } else if (work.by_p3) {
+    } else if (work.by_p3 && has_strips()) {
       by_p3();
     }
   }
@@ -136,15 +143,17 @@ class AbCheck {
   }
 
   /// Strips are as far apart as tool and overlap say; but for the last one, which ends with the ground where
-  /// no AB line was given. Seen from an AB line that is given, and the shift, they lie at whole strips.
+  /// no AB line was given: then the first one's is the AB line. Seen from one that is given, and the shift,
+  /// they lie at whole strips.
   void spacing(const std::map<int, double>& strips) {
     const Work& work = plan_.vehicle.work;
     const bool given = !work.ab.empty();
-    std::optional<std::pair<int, double>> from;  // number and place of what the next strip is seen from
+    if (strips.empty()) return;
+    std::pair<int, double> from{strips.begin()->first, 0};  // of what the next strip is seen from
     if (given) from = {1, work.ab_shift_m};
     for (const auto& [number, aside] : strips) {
-      const bool may_overlap = !given && number == strips.rbegin()->first;
-      if (from) apart(*from, {number, aside}, may_overlap);
+      const bool may_overlap = !given && number > from.first && number == strips.rbegin()->first;
+      apart(from, {number, aside}, may_overlap);
       if (!given) from = {number, aside};
     }
   }
