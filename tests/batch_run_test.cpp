@@ -98,7 +98,7 @@ TEST_CASE("a batch tells which of its fields took long", "[batch]") {
   REQUIRE(slow.slowest.size() == 5);
   CHECK(slow.slowest[0].took_s == 7.0);
   CHECK(slow.slowest[0].place == "a.gpkg, field 4");
-  CHECK(slow.slowest[1].place == "a.gpkg, field 5");
+  CHECK(slow.slowest[1].place == "a.gpkg, field 6");
   for (int i = 0; i < 20; ++i) slow.take(result, 5.0);
   CHECK(slow.slowest.size() == BatchSlow::kMostNamed);
   CHECK(slow.slowest[0].took_s == 7.0);
