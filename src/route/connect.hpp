@@ -20,9 +20,6 @@ struct Terrain {
   bool may_reverse = false;
   const AreaIndex& mainland;  ///< not to be driven over where there is another way
   const Machine& machine;
-  /// Places left before a search of the ground gives up: of ways found on real fields none needed 200. Bands
-  /// that bend, with nothing but headland passes, need more, and have little ground.
-  std::size_t most_left = 250;
 };
 
 constexpr double kOverMainland =

@@ -32,10 +32,7 @@ Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
                Swings{limits_at(machine, machine.turn_speed_mps)},
                machine.may_reverse,
                mainland_,
-               machine} {
-  constexpr std::size_t kMostLeftInBands = 500;
-  if (layout.swaths.empty()) terrain_.most_left = kMostLeftInBands;
-}
+               machine} {}
 
 /// Built when a way over them is first asked for: most fields need none.
 Roads& Driver::roads() {

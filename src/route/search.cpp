@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kGreed = 1.6;  // weight of the heuristic: within this factor of the best of its moves
+constexpr std::size_t kMostLeft = 250;  // places: of ways found on real fields few needed 200
 constexpr std::size_t kMostDepartures = 32;
 constexpr int kMostRounds = 4;
 constexpr std::size_t kMostShots = 3;      // goals tried from one place
@@ -221,7 +222,7 @@ Found Search::traced(std::size_t node, Arrival last) const {
 
 std::optional<Found> Search::run() {
   std::size_t left = 0;
-  while (!open_.empty() && left < terrain_.most_left) {
+  while (!open_.empty() && left < kMostLeft) {
     const std::size_t node = open_.top().second;
     open_.pop();
     if (nodes_[node].done) continue;
