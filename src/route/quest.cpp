@@ -9,10 +9,12 @@
 namespace selion {
 namespace {
 
-constexpr std::size_t kMostVisited = 100000;
+constexpr std::size_t kMostVisited = 40000;
 constexpr std::size_t kSoon = 60;         // visited
 constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
+constexpr std::size_t kLong = 4000;       // visited: to go on looking for the best takes too long
 constexpr double kGreed = 1.6;            // weight of the distance to go: within this factor of the best
+constexpr double kGreedier = 3;           // where it takes long
 constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
 constexpr double kFar = 2;                // reaches: further off, dearer ground counts
 constexpr double kVeryFar = 8;            // reaches: there it counts from the first
@@ -32,7 +34,7 @@ Link known_link(std::size_t to, const Path& path, double cost_m) {
 
 Quest::Quest(Roads& roads, const Pose& from, const std::vector<Pose>& goals,
              const std::vector<Path>& retreats)
-    : roads_{roads}, terrain_{roads.terrain()}, goals_{goals} {
+    : roads_{roads}, terrain_{roads.terrain()}, goals_{goals}, greed_{kGreed} {
   add_start(from, {});
   for (const Path& retreat : retreats) add_start(end_pose(retreat), retreat);
   for (std::size_t g = 0; g < goals.size(); ++g) add_ends(g);
@@ -57,14 +59,14 @@ const Pose& Quest::pose(std::size_t node) const {
   return node < first_goal() ? starts_[node - roads_.size()].pose : goals_[node - first_goal()];
 }
 
-/// The most that is known of the way to go, times kGreed.
+/// The most that is known of the way to go, weighted.
 double Quest::rest_m(std::size_t node) {
   if (node >= first_goal()) return 0;
   const auto [known, is_new] = rest_m_.try_emplace(node, 0);
   if (!is_new) return known->second;
   const Pose& here = pose(node);
   const double guided_m = guide_ ? guide_->to_goal_m(here.at) : 0;
-  return known->second = kGreed * std::max(dubins_m(here), std::isinf(guided_m) ? 0 : guided_m);
+  return known->second = greed_ * std::max(dubins_m(here), std::isinf(guided_m) ? 0 : guided_m);
 }
 
 /// Far from where a search begins and ends, junctions are enough.
@@ -161,7 +163,11 @@ std::optional<std::size_t> Quest::found() {
   if (realm_ != nullptr && goals_not_in_vain(*realm_).empty()) return std::nullopt;
   guide_beyond(kFar);
   if (has_few_goals() && !find_entries()) return found(kMostInVain);
-  const auto goal = found(kMostVisited);
+  auto goal = found(kLong);
+  if (!goal && !frontier_.empty()) {
+    greed_ = kGreedier;
+    goal = found(kMostVisited);
+  }
   if (!goal && frontier_.empty() && realm_ == nullptr) realm_ = roads_.remember_realm(stations_reached());
   return goal;
 }
