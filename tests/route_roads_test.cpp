@@ -78,9 +78,11 @@ TEST_CASE("a goal that one part of the roads does not lead to is found from anot
   const auto road = [](Point from, Point to) {
     return track_of(Path{{line(from, to), Gear::forward}}, false);
   };
+  KnownGround known;
   Roads roads{ground.terrain,
               {road({10, 8}, {50, 8}), road({74, 8}, {386, 8}), road({392, 12}, {392, 28}),
-               road({386, 32}, {74, 32})}};
+               road({386, 32}, {74, 32})},
+              known};
   const std::vector<Pose> goal{{{90, 32}, kPi}};
   CHECK_FALSE(roads.way({{12, 8}, 0}, goal, {}));
   CHECK_FALSE(roads.way({{15, 8}, 0}, goal, {}));
@@ -102,7 +104,8 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
       const auto soon = turn_soon_found(ground.terrain, {}, to, 40);
       REQUIRE(fastest);
       REQUIRE(soon);
-      const auto way = Roads{ground.terrain, {}}.way({}, {to}, {});
+      KnownGround known;
+      const auto way = Roads{ground.terrain, {}, known}.way({}, {to}, {});
       REQUIRE(way);
       const double least_m = std::min(cost_m(ground.terrain, *fastest), cost_m(ground.terrain, *soon));
       CHECK(cost_m(ground.terrain, way->way) <= least_m + 1e-6);

@@ -21,9 +21,10 @@ Path without_crumbs(Path path) {
 
 }  // namespace
 
-Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
+Driver::Driver(const Block& block, const Layout& layout, const Machine& machine, KnownGround& known)
     : layout_{layout},
       machine_{machine},
+      known_{known},
       space_{free_space(block.free, footprint_of(machine))},
       mainland_{layout.mainland},
       terrain_{space_,
@@ -36,7 +37,7 @@ Driver::Driver(const Block& block, const Layout& layout, const Machine& machine)
 
 /// Built when a way over them is first asked for: most fields need none.
 Roads& Driver::roads() {
-  if (!roads_) roads_.emplace(terrain_, tracks_of(layout_, machine_, terrain_));
+  if (!roads_) roads_.emplace(terrain_, tracks_of(layout_, machine_, terrain_), known_);
   return *roads_;
 }
 

@@ -13,10 +13,10 @@
 namespace selion {
 
 /// One machine on its way through one block: where it stands, what it has driven, and how it gets to the next
-/// task. Refers to the layout and the machine that it is given.
+/// task. Refers to the layout and the machine that it is given, and adds to what is known of the ground.
 class Driver {
  public:
-  Driver(const Block& block, const Layout& layout, const Machine& machine);
+  Driver(const Block& block, const Layout& layout, const Machine& machine, KnownGround& known);
 
   [[nodiscard]] const Terrain& terrain() const { return terrain_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }
@@ -77,6 +77,7 @@ class Driver {
 
   const Layout& layout_;
   const Machine& machine_;
+  KnownGround& known_;
   FreeSpace space_;
   AreaIndex mainland_;
   Terrain terrain_;

@@ -31,10 +31,11 @@ double guess_m(const Pose& from, const Pose& to, double radius_m) {
 
 }  // namespace
 
-Roads::Roads(const Terrain& terrain, std::vector<Track> tracks)
+Roads::Roads(const Terrain& terrain, std::vector<Track> tracks, KnownGround& known)
     : terrain_{terrain},
       tracks_{std::move(tracks)},
-      reach_m_{5 / terrain.limits.curvature_per_m + 3 * terrain.footprint.half_tool_m} {
+      reach_m_{5 / terrain.limits.curvature_per_m + 3 * terrain.footprint.half_tool_m},
+      known_{known} {
   for (std::size_t t = 0; t < tracks_.size(); ++t)
     for (std::size_t s = 0; s < tracks_[t].stations.size(); ++s) {
       const Pose& pose = tracks_[t].stations[s].pose;

@@ -46,7 +46,7 @@ class Roads {
   using Links = std::vector<Link>;
   using Stations = std::vector<std::size_t>;  ///< in order
 
-  Roads(const Terrain& terrain, std::vector<Track> tracks);
+  Roads(const Terrain& terrain, std::vector<Track> tracks, KnownGround& known);
 
   /// Cheapest way to one of the goals, found by A* over the stations; both ends are joined by single turns,
   /// the first after one of the `retreats` (ways backwards out of `from`) where that helps, the last before a
@@ -106,7 +106,7 @@ class Roads {
   std::unordered_map<long long, std::vector<std::size_t>> cells_;
   std::unordered_map<std::size_t, Links> turns_;
   std::unordered_map<std::size_t, Links> next_;
-  KnownGround known_;
+  KnownGround& known_;
   std::deque<Stations> realms_;
   std::deque<Stations> searched_from_;
   std::unordered_map<Pose, std::vector<const Stations*>, PoseHash> in_vain_;  // to a goal

@@ -79,12 +79,14 @@ void name_parts(Route& route) {
 
 }  // namespace
 
+std::shared_ptr<KnownGround> nothing_known() { return std::make_shared<KnownGround>(); }
+
 Result<Route> route(const Block& block, const Layout& layout, const Machine& machine,
                     const RouteOptions& options, const Progress& progress) {
   const BlockGate* gate = options.gate ? &block.gates[*options.gate] : nullptr;
   if (gate != nullptr)
     if (const auto why = too_narrow(*gate, machine)) return *why;
-  Driver driver{block, layout, machine};
+  Driver driver{block, layout, machine, *options.known};
   Route route;
   if (gate != nullptr) enter(driver, *gate, route);
   Work work{driver, layout};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +38,14 @@ struct Route {
 
 enum class HeadlandOrder { first, last, none };  ///< when the headland is worked
 
+/// What routes have found out about the ground of one block with one machine: which ways stay inside.
+struct KnownGround;
+std::shared_ptr<KnownGround> nothing_known();
+
 struct RouteOptions {
   HeadlandOrder headland = HeadlandOrder::last;
   std::optional<std::size_t> gate;  ///< of the block's gates: where the drive starts and ends; absent: free
+  std::shared_ptr<KnownGround> known = nothing_known();  ///< by routes over other layouts of the block; grows
 };
 
 /// Visits every swath piece, pocket piece and headland pass once: swaths in adjacent order, back and forth,
