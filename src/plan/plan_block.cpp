@@ -66,7 +66,7 @@ class BlockPlanner {
       : block_{block}, frame_{frame}, progress_{progress}, known_{nothing_known()} {}
 
   /// Corners are filled where that covers more: what it takes to fill them may be in the way of other work.
-  Result<PlannedBlock> planned(const Job& job) const {
+  [[nodiscard]] Result<PlannedBlock> planned(const Job& job) const {
     auto planned = with_headland(job);
     if (job.headland.corners == HeadlandCorners::round) return planned;
     Job rounded = job;
