@@ -40,7 +40,6 @@ class SampleCheck {
       if (i > 0) interval(i);
     }
     ends();
-    rests();
   }
 
  private:
@@ -240,35 +239,6 @@ class SampleCheck {
     if (!(std::abs(record_.duration_s - record_.t_s[last]) <= 2e-4))
       say("duration", last, {record_.duration_s, record_.t_s[last]},
           "ends a trajectory said to take " + shown(record_.duration_s, 2) + " s");
-  }
-
-  /// The robot stands as long as its waits and pivots last, those together that are as near as no sample
-  /// tells them apart.
-  void rests() {
-    std::size_t i = 1;
-    for (std::size_t piece = 0; piece < driven_.pieces.size(); ++piece) {
-      if (!driven_.pieces[piece].stands()) continue;
-      const double way = driven_.begin_m[piece];
-      double asked = 0;
-      for (; piece < driven_.pieces.size() && driven_.begin_m[piece] <= way + kNear_m; ++piece)
-        asked += driven_.pieces[piece].record().duration_s.value_or(0);
-      --piece;
-      double rested = 0;
-      for (; i < driven_.moments.size() && driven_.moments[i - 1].way_m <= way + kNear_m; ++i)
-        if (driven_.moments[i].way_m <= way + kNear_m && driven_.moments[i - 1].way_m >= way - kNear_m)
-          rested += driven_.moments[i].t_s - driven_.moments[i - 1].t_s;
-      rest(i, {rested, asked});
-    }
-  }
-
-  /// It may take somewhat longer: to come as near, and to leave.
-  void rest(std::size_t i, const Measured& rest) {
-    const Machine& m = plan_.vehicle.machine;
-    const double slow_s = 2 * std::sqrt(4 * kNear_m / std::min(m.max_accel_mps2, m.max_brake_mps2));
-    if (rest.measure >= rest.limit - 2e-3 && rest.measure <= rest.limit + slow_s) return;
-    say("rest", std::min(i, at_.size()) - 1, rest,
-        "ends a rest of " + shown(rest.measure, 2) + " s, other than the " + shown(rest.limit, 2) +
-            " s asked for");
   }
 
   Case& plan_;

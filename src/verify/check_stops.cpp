@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kTime_s = 1e-4;     // of the rounding of two times
 constexpr double kSpeed_mps = 1e-4;  // of a speed's rounding
+constexpr double kNear_m = 1e-3;     // of a place: the sample may stand there
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// The slowest that the robot is at a place; where no sample stands there, of the samples around it.
 double slowest_mps(const Driven& driven, double way_m) {
-  constexpr double kNear_m = 1e-3;
   const auto& moments = driven.moments;
   auto at = std::ranges::lower_bound(moments, way_m - kNear_m, {}, &Moment::way_m);
   if (at == moments.end()) return moments.back().speed_mps;
@@ -37,6 +37,53 @@ void check_stop(Case& plan, const Driven& driven, std::size_t i) {
                     piece_name(driven, i) + " begins at " + shown(speed, 3) + " m/s, where the machine " +
                         (piece.stands() ? "must stand" : "changes its gear"));
 }
+
+/// The robot stands as long as its waits and pivots last, those together that are as near as no sample tells
+/// them apart.
+class RestCheck {
+ public:
+  RestCheck(Case& plan, const Driven& driven) : plan_{plan}, driven_{driven} {}
+
+  void run() {
+    for (std::size_t piece = 0; piece < driven_.pieces.size(); ++piece) {
+      if (!driven_.pieces[piece].stands()) continue;
+      const double way = driven_.begin_m[piece];
+      double asked = 0;
+      for (; piece < driven_.pieces.size() && driven_.begin_m[piece] <= way + kNear_m; ++piece)
+        asked += driven_.pieces[piece].record().duration_s.value_or(0);
+      --piece;
+      const double rested = rested_s(way);
+      compare({rested, asked});
+    }
+  }
+
+ private:
+  /// At a place; on from where it rested last.
+  double rested_s(double way_m) {
+    const auto& moments = driven_.moments;
+    double rested = 0;
+    for (; i_ < moments.size() && moments[i_ - 1].way_m <= way_m + kNear_m; ++i_)
+      if (moments[i_].way_m <= way_m + kNear_m && moments[i_ - 1].way_m >= way_m - kNear_m)
+        rested += moments[i_].t_s - moments[i_ - 1].t_s;
+    return rested;
+  }
+
+  /// It may take somewhat longer: to come as near, and to leave.
+  void compare(const Measured& rest) {
+    const Machine& m = plan_.vehicle.machine;
+    const double slow_s = 2 * std::sqrt(4 * kNear_m / std::min(m.max_accel_mps2, m.max_brake_mps2));
+    if (rest.measure >= rest.limit - 2e-3 && rest.measure <= rest.limit + slow_s) return;
+    const Moment& end = driven_.moments[std::min(i_, driven_.moments.size()) - 1];
+    plan_.findings.add("rest", driven_.record->block, driven_.spot(end.way_m).at, rest,
+                       "robot " + std::to_string(driven_.record->robot) + " ends a rest at " +
+                           shown(end.t_s, 1) + " s of " + shown(rest.measure, 2) + " s, other than the " +
+                           shown(rest.limit, 2) + " s asked for");
+  }
+
+  Case& plan_;
+  const Driven& driven_;
+  std::size_t i_ = 1;  ///< the next moment
+};
 
 /// How fast a machine rotates on the spot: between samples the rate changes evenly (docs/plan.md).
 class SpinCheck {
@@ -93,6 +140,7 @@ class SpinCheck {
 void check_stops(Case& plan, const Driven& driven) {
   if (driven.moments.empty()) return;
   for (std::size_t i = 0; i < driven.pieces.size(); ++i) check_stop(plan, driven, i);
+  RestCheck{plan, driven}.run();
   SpinCheck{plan, driven}.run();
 }
 
