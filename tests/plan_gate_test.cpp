@@ -53,3 +53,40 @@ TEST_CASE("the drive starts and ends at its gate, in a corner too", "[plan][gate
   });
   CHECK(askew == (share != 0.5));
 }
+
+TEST_CASE("a post by the gate has the drive start elsewhere, in the order that is asked for",
+          "[plan][gate]") {
+  struct Post {
+    double aside_m;
+    double in_m;
+    const char* machine;
+  };
+  const auto post = GENERATE(values<Post>(
+      {{1, 2.2, "robot-3m"}, {1.2, 2, "robot-3m"}, {0, 9, "tractor-6m"}, {1.2, 4, "tractor-6m"}}));
+  CAPTURE(post.aside_m, post.in_m, post.machine);
+  const Job job =
+      job_of(settings_of_toml("[machine]\npreset = \"" + std::string{post.machine} + "\"\n", "test"));
+  const Point at{50 + post.aside_m, post.in_m};
+  constexpr double kHalf_m = 0.07;
+  Field field = field_of_metres({{{{0, 0}, {100, 0}, {100, 80}, {0, 80}}, {}}});
+  const Field standing = field_of_metres({{{at + Point{-kHalf_m, -kHalf_m}, at + Point{kHalf_m, -kHalf_m},
+                                            at + Point{kHalf_m, kHalf_m}, at + Point{-kHalf_m, kHalf_m}},
+                                           {}}});
+  field.obstacles.push_back(Obstacle{"post", ObstacleKind::obstacle, standing.parts.at(0)});
+  const LonLat a = field.parts.at(0).shell.at(0);
+  const LonLat b = field.parts.at(0).shell.at(1);
+  field.gates.push_back(
+      Gate{.name = "lane", .at = {(a.lon_deg + b.lon_deg) / 2, (a.lat_deg + b.lat_deg) / 2}, .width_m = {}});
+
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  CHECK(faults_of(*planned, job.machine) == std::vector<std::string>{});
+  CHECK(planned->blocks.at(0).covered_m2 >= 0.96 * planned->blocks.at(0).area_m2);
+  const std::string first = [&] {
+    for (const PieceRecord& piece : planned->file.trajectories.at(0).pieces)
+      if (piece.tool == 1) return piece.kind;
+    return std::string{};
+  }();
+  CHECK(first == "swath");
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "verify_mutants.hpp"
@@ -166,6 +167,50 @@ std::vector<PieceRecord> wiggle(PieceRecord at) {
 bool wait_no_time(PlanFile& plan, Dice& dice) { return cut(plan, dice, 0, no_wait); }
 bool wiggle_in_crumbs(PlanFile& plan, Dice& dice) { return cut(plan, dice, 4 * kCrumb_m, wiggle); }
 
+/// Curvature with the vehicle's left as positive.
+double steered(const PieceRecord& piece, double along_m) {
+  return piece.gear * (piece.curvature_per_m + along_m * piece.sharpness_per_m2);
+}
+
+/// The wheels turn in no time where the machine rests for them.
+bool steer_at_once(PlanFile& plan, Dice& dice) {
+  constexpr double kRest_s = 0.01;
+  TrajectoryRecord& t = plan.trajectories[dice.pick(plan.trajectories.size())];
+  std::vector<PieceRecord>& p = t.pieces;
+  for (std::size_t k = 1; k + 1 < p.size(); ++k) {
+    const double wait_s = p[k].kind == "wait" ? p[k].duration_s.value_or(0) : 0;
+    if (wait_s < 0.2 || std::abs(steered(p[k + 1], 0) - steered(p[k - 1], p[k - 1].length_m)) < 0.05)
+      continue;
+    const auto rest = some_interval(t, dice, [&](std::size_t i) {
+      return t.speed_mps[i] == 0 && t.speed_mps[i + 1] == 0 &&
+             std::abs(t.t_s[i + 1] - t.t_s[i] - wait_s) < 2e-4;
+    });
+    if (!rest) continue;
+    p[k].duration_s = kRest_s;
+    for (std::size_t i = *rest + 1; i < t.t_s.size(); ++i) t.t_s[i] -= wait_s - kRest_s;
+    t.duration_s -= wait_s - kRest_s;
+    return true;
+  }
+  return false;
+}
+
+/// Back to where a line began, tool up, and along it once more.
+bool work_again(PlanFile& plan, Dice& dice) {
+  std::vector<PieceRecord>& pieces = plan.trajectories[dice.pick(plan.trajectories.size())].pieces;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].kind != "swath" || pieces[k].length_m < 8) continue;
+    PieceRecord back = pieces[k];
+    back.kind = "transfer", back.tool = 0, back.gear = -1;
+    back.x_m += back.length_m * std::cos(back.heading_rad),
+        back.y_m += back.length_m * std::sin(back.heading_rad);
+    back.heading_rad += std::numbers::pi;
+    const PieceRecord again = pieces[k];
+    pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, {back, again});
+    return true;
+  }
+  return false;
+}
+
 const std::vector<Mutation>& hidden() {
   static const std::vector<Mutation> all{
       {"a jump of speed within a tenth of a millisecond", {"acceleration"}, jump},
@@ -180,6 +225,8 @@ const std::vector<Mutation>& hidden() {
                                   {swath.line[0].lon_deg + d.between(1e-6, 1e-3), swath.line[0].lat_deg});
               })},
       {"a wait of no time", {"rest"}, wait_no_time},
+      {"wheels that turn in no time", {"steering_rate"}, steer_at_once},
+      {"a swath worked again", {"driven_twice"}, work_again},
   };
   return all;
 }

@@ -77,15 +77,20 @@ void name_parts(Route& route) {
     for (std::size_t i = 0; ids.size() > 1 && i < ids.size(); ++i) *ids[i] += letters_of(i);
 }
 
-}  // namespace
+/// Swaths before the headland that is to be worked last, where any are reached.
+bool in_order(const Route& route, HeadlandOrder headland) {
+  if (headland != HeadlandOrder::last) return true;
+  const auto is = [](PieceKind kind) {
+    return [kind](const RoutePiece& piece) { return piece.kind == kind; };
+  };
+  const auto swath = std::find_if(route.pieces.begin(), route.pieces.end(), is(PieceKind::swath));
+  return swath == route.pieces.end() ||
+         std::none_of(route.pieces.begin(), swath, is(PieceKind::headland_pass));
+}
 
-std::shared_ptr<KnownGround> nothing_known() { return std::make_shared<KnownGround>(); }
-
-Result<Route> route(const Block& block, const Layout& layout, const Machine& machine,
-                    const RouteOptions& options, const Progress& progress) {
-  const BlockGate* gate = options.gate ? &block.gates[*options.gate] : nullptr;
-  if (gate != nullptr)
-    if (const auto why = too_narrow(*gate, machine)) return *why;
+/// As `options` say; nothing is reached where no way leads on from the gate.
+Result<Route> route_from(const BlockGate* gate, const Block& block, const Layout& layout,
+                         const Machine& machine, const RouteOptions& options, const Progress& progress) {
   Driver driver{block, layout, machine, *options.known};
   Route route;
   if (gate != nullptr) enter(driver, *gate, route);
@@ -98,6 +103,24 @@ Result<Route> route(const Block& block, const Layout& layout, const Machine& mac
   route.left_out = work.left();
   name_parts(route);
   return route;
+}
+
+}  // namespace
+
+std::shared_ptr<KnownGround> nothing_known() { return std::make_shared<KnownGround>(); }
+
+Result<Route> route(const Block& block, const Layout& layout, const Machine& machine,
+                    const RouteOptions& options, const Progress& progress) {
+  const BlockGate* gate = options.gate ? &block.gates[*options.gate] : nullptr;
+  if (gate != nullptr)
+    if (const auto why = too_narrow(*gate, machine)) return *why;
+  auto routed = route_from(gate, block, layout, machine, options, progress);
+  if (gate == nullptr || (routed && in_order(*routed, options.headland))) return routed;
+  auto elsewhere = route_from(nullptr, block, layout, machine, options, progress);
+  if (!elsewhere) return routed;
+  elsewhere->warnings.push_back("no way leads from " + called(*gate) +
+                                " to the first swath; the drive starts and ends elsewhere");
+  return elsewhere;
 }
 
 }  // namespace selion

@@ -73,6 +73,8 @@ void check_obstacle(Case& plan, const Shape& planned, const OwnerFeature& featur
   const double kept = kept_m(plan.vehicle, feature);
   const Shape near = grown(obstacle, std::max(0.0, (1 - kRounded) * kept - kInside_m));
   for (const Ground& ground : plan.grounds) {
+    const auto drives_there = [&](const Driven& d) { return d.record->block == ground.block; };
+    if (std::ranges::none_of(plan.drives, drives_there)) continue;
     const Shape at_risk = without(common(ground.area, near), obstacle);
     tell(plan, "given_obstacle", ground.obstacles ? without(at_risk, ground.obstacles) : at_risk,
          "of the plan's ground lie within " + shown(kept, 2) + " m of the obstacle " + name +

@@ -44,11 +44,11 @@ bool is_width(const std::optional<double>& owned, const std::optional<double>& p
          std::abs(owned.value_or(0) - planned.value_or(0)) <= kWidth_m;
 }
 
-/// The owner's gates against the plan's, each moved to the nearest border.
+/// The owner's gates against the plan's, each moved to the nearest outer border.
 class GivenGates {
  public:
   GivenGates(Case& plan, const GivenField& given) : plan_{plan}, given_{given} {
-    for (const Ground& ground : plan.grounds) borders_.emplace_back(border_of(ground.area));
+    for (const Ground& ground : plan.grounds) borders_.emplace_back(border_of(filled(ground.area)));
     taken_.resize(plan.plan.gates.size());
   }
 

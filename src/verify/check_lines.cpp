@@ -20,9 +20,9 @@ struct Stint {
 };
 using Key = std::pair<int, std::string>;
 
-/// A way between pieces of work may name none.
+/// A way between pieces of work is on none, whatever it names.
 bool is_on_a_line(const PieceRecord& piece) {
-  return !piece.ref.empty() || (piece.kind != "turn" && piece.kind != "transfer" && piece.kind != "pivot");
+  return piece.kind != "turn" && piece.kind != "transfer" && piece.kind != "pivot";
 }
 
 std::map<Key, std::vector<Stint>> stints_of(const Case& plan) {
@@ -37,7 +37,7 @@ std::map<Key, std::vector<Stint>> stints_of(const Case& plan) {
         if (all.empty() || piece.ref != before) all.push_back({&driven, i, i});
         all.back().last = i;
       }
-      before = piece.ref;
+      before = is_on_a_line(piece) ? piece.ref : "";
     }
   }
   return stints;
@@ -59,6 +59,16 @@ std::vector<Point> line_driven(const Stint& stint, double ahead_m) {
 /// How far the farthest of some places lies from a line.
 double off_line_m(const std::vector<Point>& places, const std::vector<Point>& from) {
   return Segments{{from}}.farthest_m(places);
+}
+
+/// Of what is driven, times a line's own length.
+double rounds(const std::vector<Point>& driven, const std::vector<Point>& line) {
+  const auto length_of = [](const std::vector<Point>& places) {
+    double sum = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) sum += distance_m(places[i - 1], places[i]);
+    return sum;
+  };
+  return length_of(driven) / std::max(length_of(line), kLine_m);
 }
 
 class LineCheck {
@@ -107,6 +117,7 @@ class LineCheck {
     if (!(off <= kLine_m))
       plan_.findings.add("swath_line", swath.block, a, {off, kLine_m},
                          "swath " + swath.id + " is driven " + shown(off, 3) + " m off its line");
+    goes_once(swath.block, swath.id, tool, line);
     check_measures(swath.block, swath.id, a, {swath.length_m, distance_m(a, b)}, swath.width_m);
   }
 
@@ -130,7 +141,22 @@ class LineCheck {
     if (!(off <= kLine_m))
       plan_.findings.add("pass_line", pass.block, line.front(), {off, kLine_m},
                          "headland pass " + pass.id + " is driven " + shown(off, 3) + " m off its line");
+    goes_once(pass.block, pass.id, driven, line);
     check_measures(pass.block, pass.id, line.front(), {0, 0}, pass.width_m);
+  }
+
+  /// Neither to and fro, nor round and round: as long as its line, which may not lead there twice either.
+  void goes_once(int block, const std::string& id, const std::vector<Point>& driven,
+                 const std::vector<Point>& line) {
+    constexpr double kMost = 1.5;
+    const double times = rounds(driven, line);
+    if (times > kMost)
+      plan_.findings.add("driven_twice", block, line.front(), {times, 1},
+                         id + " is driven " + shown(times, 2) + " times without a break");
+    if (times < 1 / kMost)
+      plan_.findings.add(
+          "pass_line", block, line.front(), {1 / times, 1},
+          "the line of " + id + " is " + shown(1 / times, 2) + " times as long as what is driven");
   }
 
   /// Swaths stand in the order in which they are driven, from 1.

@@ -38,6 +38,39 @@ void check_stop(Case& plan, const Driven& driven, std::size_t i) {
                         (piece.stands() ? "must stand" : "changes its gear"));
 }
 
+/// Of a car's wheels, or a joint, at the end of a piece or its begin.
+double steering_rad(const Machine& machine, const PieceLine& piece, double s_m) {
+  return std::atan(machine.wheelbase_m * piece.record().gear * piece.curvature_per_m(s_m));
+}
+
+/// The wheels turn while the machine stands, where the next piece begins with another curvature than the one
+/// before ends with.
+void check_steering(Case& plan, const Driven& driven) {
+  if (plan.vehicle.machine.kind == MachineKind::differential) return;
+  constexpr double kSlack_s = 2e-3;
+  const PieceLine* before = nullptr;
+  double rest_s = 0;
+  for (const PieceLine& piece : driven.pieces) {
+    if (piece.stands()) {
+      rest_s += piece.record().duration_s.value_or(0);
+      continue;
+    }
+    const double by_rad = before == nullptr
+                              ? 0
+                              : std::abs(steering_rad(plan.vehicle.machine, piece, 0) -
+                                         steering_rad(plan.vehicle.machine, *before, before->length_m()));
+    const double least_s = by_rad / plan.vehicle.most_steering_rad_s;
+    const bool stands = before != nullptr && (rest_s > 0 || before->record().gear != piece.record().gear);
+    if (stands && !(rest_s >= least_s * (1 - 1e-3) - kSlack_s))
+      plan.findings.add("steering_rate", driven.record->block, piece.spot(0).at,
+                        {by_rad / std::max(rest_s, kSlack_s), plan.vehicle.most_steering_rad_s},
+                        "the machine rests for " + shown(rest_s, 2) + " s where its wheels take " +
+                            shown(least_s, 2) + " s to turn by " + shown(by_rad, 3) + " rad");
+    before = &piece;
+    rest_s = 0;
+  }
+}
+
 /// The robot stands as long as its waits and pivots last, those together that are as near as no sample tells
 /// them apart.
 class RestCheck {
@@ -140,6 +173,7 @@ class SpinCheck {
 void check_stops(Case& plan, const Driven& driven) {
   if (driven.moments.empty()) return;
   for (std::size_t i = 0; i < driven.pieces.size(); ++i) check_stop(plan, driven, i);
+  check_steering(plan, driven);
   RestCheck{plan, driven}.run();
   SpinCheck{plan, driven}.run();
 }

@@ -63,8 +63,8 @@ Point ground_m(LonLat from, LonLat to) {
   const double flat = 1 - kEccentricity2 * std::sin(lat) * std::sin(lat);
   const double across_m = kMajor_m / std::sqrt(flat);             // radius of curvature, prime vertical
   const double along_m = across_m * (1 - kEccentricity2) / flat;  // of the meridian
-  return {(to.lon_deg - from.lon_deg) * kDegree * across_m * std::cos(lat),
-          (to.lat_deg - from.lat_deg) * kDegree * along_m};
+  const double east_deg = std::remainder(to.lon_deg - from.lon_deg, 360);  // across the date line too
+  return {east_deg * kDegree * across_m * std::cos(lat), (to.lat_deg - from.lat_deg) * kDegree * along_m};
 }
 
 std::vector<Point> Plane::to_local(const std::vector<LonLat>& line) const {
