@@ -88,9 +88,14 @@ bool in_order(const Route& route, HeadlandOrder headland) {
          std::none_of(route.pieces.begin(), swath, is(PieceKind::headland_pass));
 }
 
+const BlockGate* gate_of(const Block& block, const RouteOptions& options) {
+  return options.gate ? &block.gates[*options.gate] : nullptr;
+}
+
 /// As `options` say; nothing is reached where no way leads on from the gate.
-Result<Route> route_from(const BlockGate* gate, const Block& block, const Layout& layout,
-                         const Machine& machine, const RouteOptions& options, const Progress& progress) {
+Result<Route> route_as_told(const Block& block, const Layout& layout, const Machine& machine,
+                            const RouteOptions& options, const Progress& progress) {
+  const BlockGate* gate = gate_of(block, options);
   Driver driver{block, layout, machine, *options.known};
   Route route;
   if (gate != nullptr) enter(driver, *gate, route);
@@ -111,12 +116,14 @@ std::shared_ptr<KnownGround> nothing_known() { return std::make_shared<KnownGrou
 
 Result<Route> route(const Block& block, const Layout& layout, const Machine& machine,
                     const RouteOptions& options, const Progress& progress) {
-  const BlockGate* gate = options.gate ? &block.gates[*options.gate] : nullptr;
+  const BlockGate* gate = gate_of(block, options);
   if (gate != nullptr)
     if (const auto why = too_narrow(*gate, machine)) return *why;
-  auto routed = route_from(gate, block, layout, machine, options, progress);
+  auto routed = route_as_told(block, layout, machine, options, progress);
   if (gate == nullptr || (routed && in_order(*routed, options.headland))) return routed;
-  auto elsewhere = route_from(nullptr, block, layout, machine, options, progress);
+  RouteOptions anywhere = options;
+  anywhere.gate.reset();
+  auto elsewhere = route_as_told(block, layout, machine, anywhere, progress);
   if (!elsewhere) return routed;
   elsewhere->warnings.push_back("no way leads from " + called(*gate) +
                                 " to the first swath; the drive starts and ends elsewhere");

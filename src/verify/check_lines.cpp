@@ -25,21 +25,27 @@ bool is_on_a_line(const PieceRecord& piece) {
   return piece.kind != "turn" && piece.kind != "transfer" && piece.kind != "pivot";
 }
 
-std::map<Key, std::vector<Stint>> stints_of(const Case& plan) {
-  std::map<Key, std::vector<Stint>> stints;
-  for (const Driven& driven : plan.drives) {
-    std::string before;
-    for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
-      const PieceRecord& piece = driven.pieces[i].record();
-      if (piece.kind == "wait") continue;
-      if (is_on_a_line(piece)) {
-        auto& all = stints[{driven.record->block, piece.ref}];
-        if (all.empty() || piece.ref != before) all.push_back({&driven, i, i});
-        all.back().last = i;
-      }
-      before = is_on_a_line(piece) ? piece.ref : "";
+using Stints = std::map<Key, std::vector<Stint>>;
+
+void add_stints(const Driven& driven, Stints& stints) {
+  std::string before;
+  for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
+    const PieceRecord& piece = driven.pieces[i].record();
+    if (piece.kind == "wait") continue;
+    if (!is_on_a_line(piece)) {
+      before.clear();
+      continue;
     }
+    auto& all = stints[{driven.record->block, piece.ref}];
+    if (all.empty() || piece.ref != before) all.push_back({&driven, i, i});
+    all.back().last = i;
+    before = piece.ref;
   }
+}
+
+Stints stints_of(const Case& plan) {
+  Stints stints;
+  for (const Driven& driven : plan.drives) add_stints(driven, stints);
   return stints;
 }
 
@@ -180,7 +186,7 @@ class LineCheck {
   }
 
   Case& plan_;
-  std::map<Key, std::vector<Stint>> stints_;
+  Stints stints_;
   std::map<Key, std::pair<const Driven*, std::size_t>> firsts_;
   Stint kept_;
 };
