@@ -385,3 +385,10 @@ TEST_CASE("standard input that does not end is refused", "[field][read]") {
   std::istream stream{&endless};
   CHECK_THROWS_WITH(read_fields("-", {}, stream), Catch::Contains("does not end within 256 MB"));
 }
+
+TEST_CASE("a plan of ours is not taken for fields", "[field]") {
+  std::string plan = collection({feature(kSquare, "{}")});
+  plan.insert(plan.find('{') + 1, R"("selion": {"format": 1, "job": {}}, )");
+  CHECK(mentions(error_of([&] { read_stdin(plan); }), "is a plan, not a field"));
+  CHECK(read_stdin(collection({feature(kSquare, R"({"selion": "field"})")})).size() == 1);
+}

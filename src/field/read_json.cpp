@@ -200,6 +200,12 @@ void read_crs(const Json& root, RawLayer& layer, const std::string& label) {
   if (layer.crs->find("CRS84") != std::string::npos) layer.crs = "OGC:CRS84";
 }
 
+/// Its blocks and headlands are areas too: they must not pass for fields.
+bool is_plan(const Json& root) {
+  const auto own = root.find("selion");
+  return own != root.end() && own->is_object() && own->contains("format") && own->contains("job");
+}
+
 }  // namespace
 
 bool is_geojson(const std::string& text) {
@@ -225,6 +231,8 @@ RawFile read_json(const std::string& bytes, const std::string& label, const std:
   RawLayer layer;
   if (type.empty())
     throw InputError{label + " is JSON, but not GeoJSON: it has no 'type'; export the field as GeoJSON"};
+  if (is_plan(root))
+    throw InputError{label + " is a plan, not a field; give the file that it was planned from"};
   layer.name = member(root, "name").empty() || type != "FeatureCollection" ? stem : member(root, "name");
   read_crs(root, layer, label);
   if (type == "FeatureCollection") {
