@@ -345,6 +345,23 @@ TEST_CASE("a swing of a hair between two long ones is as long as the goal needs"
   CHECK(heading_gap(end_pose(*shortest).heading_rad, pair.to.heading_rad) < 1e-12);
 }
 
+TEST_CASE("asked for short ways only, no other are found, and none of them is lost", "[motion][turns]") {
+  const Swings swings{kPaper};
+  for (const Pair& pair : pairs_in_ten_metres(200)) {
+    std::vector<double> all;
+    Connections ways{pair.from, pair.to, swings};
+    while (const auto way = ways.next()) all.push_back(length_m(*way));
+    for (const double longest_m : {all.front() - 1e-3, all.front() + 1e-3, all[all.size() / 2] + 1e-3}) {
+      Connections some{pair.from, pair.to, swings};
+      std::vector<double> found;
+      while (const auto way = some.next(longest_m)) found.push_back(length_m(*way));
+      CHECK(std::ranges::all_of(found, [&](double m) { return m <= longest_m; }));
+      while (const auto way = some.next()) found.push_back(length_m(*way));
+      REQUIRE(found == all);
+    }
+  }
+}
+
 TEST_CASE("ways come shortest first and are those that the families have", "[motion][turns]") {
   const auto& limits = GENERATE(from_range(kLimits.begin(), kLimits.end()));
   CAPTURE(limits.curvature_per_m);

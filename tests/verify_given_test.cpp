@@ -228,3 +228,18 @@ TEST_CASE("an obstacle is of the kind that it has in the owner's file", "[verify
              Catch::Contains("is said to be no_go; the owner's is obstacle"));
   CHECK_THAT(codes(with("obstacle"), collection_of({field})), Catch::Contains("the owner has none there"));
 }
+
+TEST_CASE("a gate nearer to an obstacle than to the border is at the border", "[verify]") {
+  const std::string field = feature_of({{field_ring(), {}}}, kField);
+  const std::string gate = feature_of(Point{40, 2}, R"({"selion":"gate","name":"N"})");
+  const std::string post = feature_of(Point{42, 2.2}, R"({"selion":"obstacle","radius_m":0.1})");
+  CHECK(codes(collection_of({field, gate, post})) == "");
+}
+
+TEST_CASE("what stands in a block that is not planned is kept off anyway", "[verify]") {
+  const std::string field = feature_of({{field_ring(), {}}, {box(100, 20, 109, 32), {}}}, kField);
+  const std::string tree = feature_of(Point{104.5, 26}, R"({"selion":"obstacle","radius_m":0.4})");
+  CHECK(codes(collection_of({field, tree})) == "");
+  const std::string near = feature_of(Point{40, 30}, R"({"selion":"obstacle","radius_m":0.4})");
+  CHECK(codes(collection_of({field, tree}), collection_of({field, tree, near})) != "");
+}

@@ -211,6 +211,22 @@ bool work_again(PlanFile& plan, Dice& dice) {
   return false;
 }
 
+/// A closed pass, driven from its begin to its begin once more.
+bool round_again(PlanFile& plan, Dice& dice) {
+  std::vector<PieceRecord>& pieces = plan.trajectories[dice.pick(plan.trajectories.size())].pieces;
+  for (const HeadlandPassRecord& pass : plan.headland_passes) {
+    if (!(pass.line.front() == pass.line.back())) continue;
+    const auto is_of = [&](const PieceRecord& piece) { return piece.ref == pass.id; };
+    const auto first = std::ranges::find_if(pieces, is_of);
+    const auto last = std::find_if_not(first, pieces.end(), is_of);
+    if (first == last) continue;
+    const std::vector<PieceRecord> again(first, last);
+    pieces.insert(last, again.begin(), again.end());
+    return true;
+  }
+  return false;
+}
+
 const std::vector<Mutation>& hidden() {
   static const std::vector<Mutation> all{
       {"a jump of speed within a tenth of a millisecond", {"acceleration"}, jump},
@@ -227,6 +243,15 @@ const std::vector<Mutation>& hidden() {
       {"a wait of no time", {"rest"}, wait_no_time},
       {"wheels that turn in no time", {"steering_rate"}, steer_at_once},
       {"a swath worked again", {"driven_twice"}, work_again},
+      {"a pass driven round twice", {"driven_twice"}, round_again},
+      {"a line that leads to and fro",
+       {"line_length"},
+       to_one(&PlanFile::headland_passes,
+              [](HeadlandPassRecord& pass, Dice&) {
+                const LonLatLine line = pass.line;
+                pass.line.insert(pass.line.end(), line.rbegin() + 1, line.rend());
+                pass.line.insert(pass.line.end(), line.begin() + 1, line.end());
+              })},
   };
   return all;
 }

@@ -10,6 +10,7 @@
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
 #include "selion/verify/verify.hpp"
+#include "verify/plane.hpp"
 #include "verify_mutants.hpp"
 #include "verify_samples.hpp"
 
@@ -236,6 +237,22 @@ TEST_CASE("a band worked along its borders passes whatever the rule for swaths",
   const PlanFile plan = written(band, std::string{"[layout]\ndirection = \""} + direction + "\"\n");
   CHECK(plan.swaths.empty());
   CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
+TEST_CASE("a swath bent by nothing keeps the edge margin all the same", "[verify]") {
+  PlanFile plan = written(small_field(), "[headland]\npasses = 0\n[field]\nedge_margin_m = 0.3\n");
+  const std::string margin = "\"edge_margin_m\":0.3";
+  plan.job_json.replace(plan.job_json.find(margin), margin.size(), "\"edge_margin_m\":9.0");
+  for (PieceRecord& piece : plan.trajectories.at(0).pieces)
+    if (piece.kind == "swath") piece.curvature_per_m = 1e-12;
+  const Verdict verdict = verify(plan, std::nullopt);
+  CHECK(std::ranges::count(verdict.findings, "edge_margin", &Finding::code) > 0);
+}
+
+TEST_CASE("ways on the ground lead over the date line", "[verify]") {
+  const Point way = verifying::ground_m({179.99999, -16}, {-179.99999, -16});
+  CHECK(way.x_m == Approx(2.14).margin(0.01));
+  CHECK(way.y_m == 0);
 }
 
 TEST_CASE("a robot that pivots into another one is found", "[verify]") {

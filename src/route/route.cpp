@@ -124,7 +124,7 @@ Result<Route> route(const Block& block, const Layout& layout, const Machine& mac
   RouteOptions anywhere = options;
   anywhere.gate.reset();
   auto elsewhere = route_as_told(block, layout, machine, anywhere, progress);
-  if (!elsewhere) return routed;
+  if (!elsewhere || (routed && !in_order(*elsewhere, options.headland))) return routed;
   elsewhere->warnings.push_back("no way leads from " + called(*gate) +
                                 " to the first swath; the drive starts and ends elsewhere");
   return elsewhere;

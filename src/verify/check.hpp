@@ -61,7 +61,8 @@ void check_bends(Case& plan, const Driven& driven);
 void check_samples(Case& plan, Driven& driven);
 /// Speeds, acceleration, lateral acceleration and steering between the moments.
 void check_speeds(Case& plan, const Driven& driven);
-/// Standing where pieces wait, pivot or change the gear; how fast the machine pivots.
+/// Standing where pieces wait, pivot or change the gear: that it does, for how long, how fast it pivots and
+/// steers there.
 void check_stops(Case& plan, const Driven& driven);
 /// The time that lowering and raising the tool takes, and where it is lowered.
 void check_tool(Case& plan, const Driven& driven);

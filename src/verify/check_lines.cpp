@@ -161,7 +161,7 @@ class LineCheck {
                          id + " is driven " + shown(times, 2) + " times without a break");
     if (times < 1 / kMost)
       plan_.findings.add(
-          "pass_line", block, line.front(), {1 / times, 1},
+          "line_length", block, line.front(), {1 / times, 1},
           "the line of " + id + " is " + shown(1 / times, 2) + " times as long as what is driven");
   }
 

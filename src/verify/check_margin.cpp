@@ -17,10 +17,9 @@ std::array<Point, 4> worked(const Machine& machine, const PieceLine& swath) {
           placed(to, {machine.tool_x_m, half}), placed(from, {machine.tool_x_m, half})};
 }
 
-/// But for what its tool strays from the chord: not noticed in the margin.
+/// To what makes no difference to the margin.
 bool is_straight(const PieceLine& swath) {
-  const double length = swath.length_m();
-  return swath.most_curvature_per_m() * length * (length + swath.record().offset_m) < kMargin_m;
+  return swath.most_curvature_per_m() * swath.length_m() * swath.length_m() < kMargin_m;
 }
 
 }  // namespace
