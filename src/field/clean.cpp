@@ -8,6 +8,7 @@
 #include "loops.hpp"
 #include "selion/core/error.hpp"
 #include "selion/core/format.hpp"
+#include "tangle.hpp"
 #include "text.hpp"
 
 namespace selion {
@@ -283,6 +284,7 @@ Ring local_ring(const LonLatRing& ring, const LocalFrame& frame, const std::stri
       throw InputError{where + ": " + place(p) + " is more than 100 km from " + place(ring.front()) +
                        "; this is no field: correct the coordinates"};
   }
+  refuse_tangle(local, frame, where);
   return local;
 }
 

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "tangle.hpp"
+
 namespace selion {
 namespace {
 
@@ -84,45 +86,19 @@ Ring with_touches(const Ring& ring, const std::vector<Point>& corners_by_x) {
   return insertions.empty() ? ring : with(ring, std::move(insertions));
 }
 
-/// Where the insides of two edges cross.
-std::optional<std::pair<double, double>> crossing(Point a, Point b, Point c, Point d) {
-  const double c_side = cross(b - a, c - a);
-  const double d_side = cross(b - a, d - a);
-  const double a_side = cross(d - c, a - c);
-  const double b_side = cross(d - c, b - c);
-  if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
-  return std::pair{a_side / (a_side - b_side), c_side / (c_side - d_side)};
-}
-
 Ring with_crossings(const Ring& ring) {
-  struct Edge {
-    std::size_t index;
-    Point a, b;
-    double west, east, south, north;
-  };
-  std::vector<Edge> edges;
-  edges.reserve(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i];
-    const Point b = ring[(i + 1) % ring.size()];
-    edges.push_back({i, a, b, std::min(a.x_m, b.x_m), std::max(a.x_m, b.x_m), std::min(a.y_m, b.y_m),
-                     std::max(a.y_m, b.y_m)});
-  }
-  std::stable_sort(edges.begin(), edges.end(), [](const Edge& e, const Edge& f) { return e.west < f.west; });
+  const auto next = [&](std::size_t i) { return ring[(i + 1) % ring.size()]; };
   std::vector<Insertion> insertions;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t j = i + 1; j < edges.size() && edges[j].west <= edges[i].east; ++j) {
-      const Edge& e = edges[i];
-      const Edge& f = edges[j];
-      if (e.south > f.north || f.south > e.north || e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b)
-        continue;
-      const auto shares = crossing(e.a, e.b, f.a, f.b);
-      if (!shares) continue;
-      const Point at = e.a + shares->first * (e.b - e.a);
-      insertions.push_back({e.index, shares->first, at});
-      insertions.push_back({f.index, shares->second, at});
-    }
-  }
+  NearEdges{ring}.each_pair([&](std::size_t i, std::size_t k) {
+    const Point a = ring[i], b = next(i), c = ring[k], d = next(k);
+    if (a == c || a == d || b == c || b == d) return true;
+    const auto shares = crossing(a, b, c, d);
+    if (!shares) return true;
+    const Point at = a + shares->first * (b - a);
+    insertions.push_back({i, shares->first, at});
+    insertions.push_back({k, shares->second, at});
+    return true;
+  });
   return insertions.empty() ? ring : with(ring, std::move(insertions));
 }
 
