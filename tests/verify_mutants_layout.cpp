@@ -35,6 +35,14 @@ bool order_route(PlanFile& plan, const std::string& word) {
   return true;
 }
 
+bool cell_twice(PlanFile& plan, Dice& dice) {
+  if (plan.cells.empty()) return false;
+  CellRecord cell = plan.cells[dice.pick(plan.cells.size())];
+  cell.id += "x";
+  plan.cells.push_back(cell);
+  return true;
+}
+
 bool leave_headland(PlanFile& plan, Dice&) { return order_headland(plan, "none"); }
 
 bool turn_headland_order(PlanFile& plan, Dice&) {
@@ -182,6 +190,7 @@ const std::vector<Mutation>& of_layout() {
        to_one(&P::cells, [](auto& c, Dice& d) { c.bearing_deg += d.between(0.01, 90); })},
       {"rename a cell", {"cell"}, to_one(&P::cells, [](auto& c, Dice&) { c.id += "x"; })},
       {"drop the cells", {"cell", "headland"}, without(&P::cells)},
+      {"a cell under two names", {"headland"}, cell_twice},
       {"move a cell",
        {"headland"},
        to_one(&P::cells,

@@ -79,6 +79,30 @@ TEST_CASE("the farthest place is as far as GEOS says", "[verify][segments]") {
   CHECK(Segments{{line}}.farthest_m(places) == Approx(most).epsilon(1e-12));
 }
 
+TEST_CASE("rectangles and lines lie as far apart as GEOS says", "[verify][segments]") {
+  std::mt19937 random{17};
+  for (int i = 0; i < 3000; ++i) {
+    const Corners a = some_rectangle(random);
+    Corners b = some_rectangle(random);
+    if (i % 3 == 0) b[1] = b[0], b[2] = b[3];  // flat
+    const Shape flat = i % 3 == 0 ? line_through(std::array{b[0], b[2]}) : polygon_of(b);
+    CHECK(distance_m(a, b) == Approx(distance_m(polygon_of(a), flat)).margin(1e-9));
+    CHECK(distance_m(b, a) == distance_m(a, b));
+  }
+}
+
+TEST_CASE("a tangle is known by what crosses, and by what lies abreast", "[verify][segments]") {
+  std::vector<Point> zigzag;  // between two slanted lines, nowhere across itself
+  for (int k = 0; k < 100; ++k) zigzag.push_back({0.1 * k + (k % 2) * 50, (k % 2) * 50.0});
+  CHECK_FALSE(Segments{{zigzag}}.tangled(0, 99 * 98 / 2));
+  CHECK(Segments{{zigzag}}.tangled(0, 99 * 98 / 2 - 1));
+  std::vector<Point> star;  // each of its five sides crosses two others
+  for (int k = 0; k <= 5; ++k) star.push_back(unit(2 * 6.283185307 / 5 * (k % 5)));
+  CHECK_FALSE(Segments{{star}}.tangled(5, 100));
+  CHECK(Segments{{star}}.tangled(4, 100));
+  CHECK_FALSE(Segments{{}}.tangled(0, 0));
+}
+
 TEST_CASE("polygons dissolved are those united", "[verify][segments]") {
   std::mt19937 random{13};
   std::vector<Shape> shapes;

@@ -279,6 +279,28 @@ TEST_CASE("a robot that pivots into another one is found", "[verify]") {
   CHECK(std::ranges::count(verdict.findings, "robots_too_close", &Finding::code) == (north_m < 1 ? 1 : 0));
 }
 
+TEST_CASE("robots are held apart by their tools too, however many there are", "[verify]") {
+  PlanFile plan = written(small_field(), "[machine]\nworking_width_m = 4\nsafety_gap_m = 0.1\n");
+  const double aside_m = GENERATE(0.001, 3.0, 3.85, 4.05, 4.2);  // between axles that stand side by side
+  const LonLat at = plan.origin;
+  plan.trajectories.clear();
+  const auto add = [&](int robot, double y_m) {
+    TrajectoryRecord t;
+    t.robot = robot;
+    t.pieces = {PieceRecord{.kind = "wait", .y_m = y_m, .duration_s = 1000}};
+    t.duration_s = 1000;
+    t.t_s = {0, 1000};
+    t.line.assign(2, {at.lon_deg, at.lat_deg + y_m / 111'229});
+    t.heading_rad = t.curvature_per_m = t.speed_mps = {0, 0};
+    t.tool = {0, 0};
+    plan.trajectories.push_back(t);
+  };
+  const int robots = aside_m < 1 ? 300 : 2;
+  for (int k = 0; k < robots; ++k) add(k + 1, k * aside_m);
+  const auto found = std::ranges::count(verify(plan, std::nullopt).findings, "robots_too_close", &Finding::code);
+  CHECK(found == (robots == 300 ? 5 : aside_m < 4.1 ? 1 : 0));
+}
+
 TEST_CASE("a pivot that does most of its turn between two samples in no time is found", "[verify]") {
   PlanFile plan = written(small_field(), "[machine]\npreset = \"husky\"\n[headland]\npasses = 0\n");
   CHECK(text_of(verify(plan, std::nullopt)).empty());

@@ -193,7 +193,9 @@ void check_ab(Case& plan) {
         std::ranges::count(plan.plan.ab_lines, block, &AbRecord::block) != 1)
       plan.findings.add("ab", block, std::nullopt, {}, "the block has no AB line, or several");
   for (const AbRecord& ab : plan.plan.ab_lines)
-    if (plan.ground(ab.block) != nullptr) AbCheck{plan, ab}.run();
+    if (plan.ground(ab.block) != nullptr &&
+        std::ranges::count(plan.plan.ab_lines, ab.block, &AbRecord::block) == 1)
+      AbCheck{plan, ab}.run();
 }
 
 }  // namespace selion::verifying

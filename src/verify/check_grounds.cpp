@@ -51,7 +51,11 @@ Shape thin_obstacles(const Case& plan) {
 Shape holes_of(const Case& plan, const std::vector<Shape>& areas) {
   constexpr double kCrack_m = 0.004;  // between blocks, or left by the file's decimals
   const Shape closed = grown(united(areas), kCrack_m);
-  Shape holes = without(filled(closed), closed);
+  std::vector<Shape> enclosed;
+  for (const Outline& outline : outlines_of(closed))
+    for (const std::vector<Point>& hole : outline.holes) enclosed.push_back(polygon_of(hole));
+  if (enclosed.empty()) return united({});
+  Shape holes = without(united(enclosed), closed);
   if (const Shape obstacles = obstacles_of(plan, 0, 0)) holes = without(holes, obstacles);
   return grown(grown(holes, -kCrack_m), 2 * kCrack_m);
 }
@@ -94,6 +98,18 @@ void add_grounds(Case& plan, const std::vector<LonLatArea>& parts) {
   }
 }
 
+void check_overlaps(Case& plan, double slack_m2) {
+  std::vector<Box> boxes;
+  for (const Ground& ground : plan.grounds) boxes.push_back(box_of(ground.area));
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      if (apart(boxes[i], boxes[k])) continue;
+      if (const double both = area_m2(common(plan.grounds[i].area, plan.grounds[k].area)); both > slack_m2)
+        plan.findings.add("field_shape", plan.grounds[i].block, std::nullopt, {both, 0},
+                          "blocks overlap by " + shown(both, 2) + " m2");
+    }
+}
+
 }  // namespace
 
 const Ground* Case::ground(int block) const {
@@ -117,11 +133,7 @@ void check_grounds(Case& plan) {
     plan.findings.add("field_area", 0, std::nullopt, {field.area_m2, sum},
                       "the field is said to have " + shown(field.area_m2, 1) + " m2, its border encloses " +
                           shown(sum, 1) + " m2");
-  for (std::size_t i = 0; i < plan.grounds.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (const double both = area_m2(common(plan.grounds[i].area, plan.grounds[k].area)); both > slack)
-        plan.findings.add("field_shape", plan.grounds[i].block, std::nullopt, {both, 0},
-                          "blocks overlap by " + shown(both, 2) + " m2");
+  check_overlaps(plan, slack);
 }
 
 }  // namespace selion::verifying

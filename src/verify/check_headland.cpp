@@ -79,6 +79,10 @@ class HeadlandCheck {
         say({area_m2(where), slack}, shown(area_m2(where), 1) + " m2 " + what, place_in(where));
     };
     tell(common(band, cells), "are said to be headland and cell");
+    double sum = 0;
+    for (const LonLatArea& part : parts) sum += area_m2(shape_of(plan_.plane, {part}));
+    if (const double twice = sum - area_m2(cells); twice > slack)
+      say({twice, slack}, shown(twice, 1) + " m2 are said to be two cells");
     tell(without(ground_.area, united({band, cells})), "of the block are neither headland nor cell");
     tell(without(united({band, cells}), ground_.area), "of headland and cells lie outside the block");
     if (parts.empty()) return;

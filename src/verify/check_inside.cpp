@@ -8,6 +8,8 @@
 namespace selion::verifying {
 namespace {
 
+constexpr int kMostTold = 12;      // faults of a trajectory: each is worked out, few are listed
+constexpr int kPlaces = 40;        // of a piece, looked at where it is not clear
 constexpr double kFine_m = 0.002;  // a part whose sweep is known as well as this is not halved again
 
 /// A rectangle about the axle, seen along the vehicle.
@@ -79,6 +81,7 @@ class InsideCheck {
   void check_shape(std::size_t i, double span, const Member& member) {
     const int block = driven_.record->block;
     if (plan_.findings.full(member.outside, block) && plan_.findings.full(member.in_obstacle, block)) return;
+    if (told_ == kMostTold) return;
     auto where = first_touch(driven_.pieces[i], 0, span, member.shape, ground_.border);
     if (!where && plan_.thin) where = in_thin(*plan_.thin, driven_.pieces[i], span, member.shape);
     if (where) tell(i, span, *where, member);
@@ -122,20 +125,36 @@ class InsideCheck {
     return first_touch(piece, middle, to, shape, border);
   }
 
+  /// Around all that the shape may reach on the piece, and what may be nearest to that.
+  [[nodiscard]] Box box_around(std::size_t i, double span, const Outline4& shape) const {
+    constexpr double kBeside_m = 5;
+    const double off = kBeside_m + shape.reach_m() + shape.half_m;
+    Box box;
+    for (int k = 0; k <= kPlaces; ++k) {
+      const Point at = pose(driven_.pieces[i], span * k / kPlaces).at;
+      box.take_in(at - Point{off, off});
+      box.take_in(at + Point{off, off});
+    }
+    return box;
+  }
+
   /// How far it gets out, at the worst of some places along the piece.
   void tell(std::size_t i, double span, double first, const Member& member) {
-    constexpr int kPlaces = 40;
+    ++told_;
     double out = 0;
     double worst = first;
     double in_obstacle = 0;
+    const Box around = box_around(i, span, member.shape);
+    const Shape free = within(ground_.free, around);
+    const Shape kept = within(ground_.kept, around);
     for (int k = -1; k <= kPlaces; ++k) {
       const double along = k < 0 ? first : span * k / kPlaces;
       Outline4 some = member.shape;
       if (some.rear_m == some.front_m) some.front_m += 1e-6;  // a line has no area
       const Shape there = polygon_of(placed_corners(pose(driven_.pieces[i], along), some));
-      const double off = farthest_m(without(there, ground_.free), ground_.free);
+      const double off = farthest_m(without(there, free), area_m2(free) > 0 ? free : ground_.free);
       if (off > out) out = off, worst = along;
-      in_obstacle = std::max(in_obstacle, area_m2(common(there, ground_.kept)));
+      in_obstacle = std::max(in_obstacle, area_m2(common(there, kept)));
     }
     const Point at = pose(driven_.pieces[i], worst).at;
     const bool hits = in_obstacle > 1e-6;
@@ -150,6 +169,7 @@ class InsideCheck {
   const Ground& ground_;
   Outline4 body_;
   Outline4 tool_;
+  int told_ = 0;
 };
 
 }  // namespace

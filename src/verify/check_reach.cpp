@@ -14,13 +14,6 @@ constexpr double kMostWork = 1.5;  // times the lines that it is said to work, a
 constexpr double kMoreWork_m = 300;
 constexpr double kMostRobots = 3;  // times the lines that all robots of a block work together
 
-Box box_of(const Shape& area) {
-  Box box;
-  for (const Outline& outline : outlines_of(area))
-    for (const Point p : outline.shell) box.take_in(p);
-  return box;
-}
-
 bool beside(const Box& box, Point p) {
   return p.x_m > box.low.x_m - kBeside_m && p.x_m < box.high.x_m + kBeside_m &&
          p.y_m > box.low.y_m - kBeside_m && p.y_m < box.high.y_m + kBeside_m;

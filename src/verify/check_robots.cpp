@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "check.hpp"
+#include "segments.hpp"
 
 namespace selion::verifying {
 namespace {
@@ -26,11 +28,12 @@ class RobotCheck {
  public:
   explicit RobotCheck(Case& plan) : plan_{plan} {
     const Machine& m = plan.vehicle.machine;
-    corners_ = {Point{-m.rear_m, -m.body_width_m / 2}, Point{m.front_m, -m.body_width_m / 2},
-                Point{m.front_m, m.body_width_m / 2}, Point{-m.rear_m, m.body_width_m / 2}};
-    reach_m_ = std::max(length_m(corners_[0]), length_m(corners_[1]));
-    most_mps_ = m.max_speed_mps * (1 + plan.vehicle.most_curvature_per_m * reach_m_);
-    if (m.may_pivot) most_mps_ = std::max(most_mps_, m.turn_speed_mps * 2 * reach_m_ / m.track_m);
+    const double half = m.body_width_m / 2;
+    const double wide = m.working_width_m / 2;
+    parts_ = {Corners{Point{-m.rear_m, -half}, {m.front_m, -half}, {m.front_m, half}, {-m.rear_m, half}},
+              Corners{Point{m.tool_x_m, -wide}, {m.tool_x_m, -wide}, {m.tool_x_m, wide}, {m.tool_x_m, wide}}};
+    for (const Corners& part : parts_)
+      for (const Point corner : part) reach_m_ = std::max(reach_m_, length_m(corner));
   }
 
   void run() {
@@ -45,26 +48,58 @@ class RobotCheck {
   }
 
  private:
-  [[nodiscard]] std::array<Point, 4> body(const Pose& pose) const {
-    std::array<Point, 4> body;
-    for (std::size_t i = 0; i < body.size(); ++i) body[i] = placed(pose, corners_[i]);
-    return body;
+  /// Body and tool line, raised or not, each as corners.
+  using Outline = std::array<Corners, 2>;
+  [[nodiscard]] Outline placed_parts(const Pose& pose) const {
+    Outline outline = parts_;
+    for (Corners& part : outline)
+      for (Point& corner : part) corner = placed(pose, corner);
+    return outline;
+  }
+
+  static double apart_m(const Outline& a, const Outline& b) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Corners& one : a)
+      for (const Corners& other : b) least = std::min(least, verifying::distance_m(one, other));
+    return least;
   }
 
   static constexpr double kFine_m = 0.005;
 
-  /// Bodies that touch are too close even where no gap is asked for.
+  /// Robots that touch are too close even where no gap is asked for.
   [[nodiscard]] double gap_m() const { return std::max(plan_.vehicle.machine.safety_gap_m, 2 * kFine_m); }
+
+  /// What no place of the robot moves farther than.
+  [[nodiscard]] double moved_m(const Driven& driven, double from_s, double to_s) const {
+    const double way = way_m(driven, to_s) - way_m(driven, from_s);
+    return way * (1 + plan_.vehicle.most_curvature_per_m * reach_m_) + spun_rad(driven, from_s, to_s) * reach_m_;
+  }
+
+  /// How far it turns on the spot then, or farther.
+  [[nodiscard]] double spun_rad(const Driven& driven, double from_s, double to_s) const {
+    const Machine& m = plan_.vehicle.machine;
+    if (!m.may_pivot) return 0;
+    auto moment = std::ranges::upper_bound(driven.moments, from_s, {}, &Moment::t_s);
+    if (moment != driven.moments.begin()) --moment;
+    for (; moment != driven.moments.end(); ++moment) {
+      if (moment->spin_rad_s != 0) return 2 * m.turn_speed_mps / m.track_m * (to_s - from_s);
+      if (moment->t_s > to_s) break;
+    }
+    return 0;
+  }
 
   /// Halves the time until both are certainly far enough from each other, or are not.
   bool pair(const Driven& a, const Driven& b, double from_s, double to_s) {
     const double gap = gap_m();
     const double middle = (from_s + to_s) / 2;
-    const double moved = 2 * most_mps_ * (to_s - from_s) / 2;
+    const auto most = [&](const Driven& driven) {
+      return std::max(moved_m(driven, from_s, middle), moved_m(driven, middle, to_s));
+    };
+    const double moved = most(a) + most(b);
     const Pose pose_a = pose_at(a, middle);
     const Pose pose_b = pose_at(b, middle);
     if (distance_m(pose_a.at, pose_b.at) - 2 * reach_m_ > gap + moved) return false;
-    const double apart = verifying::distance_m(polygon_of(body(pose_a)), polygon_of(body(pose_b)));
+    const double apart = apart_m(placed_parts(pose_a), placed_parts(pose_b));
     if (apart > gap + moved) return false;
     if (apart < gap - kFine_m || moved < kFine_m) {
       if (apart >= gap - kFine_m) return false;
@@ -84,9 +119,8 @@ class RobotCheck {
   }
 
   Case& plan_;
-  std::array<Point, 4> corners_;
+  Outline parts_;
   double reach_m_ = 0;
-  double most_mps_ = 0;
 };
 
 }  // namespace

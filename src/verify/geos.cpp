@@ -2,6 +2,7 @@
 #include "geos.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -94,25 +95,29 @@ Shape convex_hull(std::span<const Point> points) {
   return held(GEOSConvexHull_r(handle(), line_through(points).get()));
 }
 
+Box box_of(const Shape& shape) {
+  Box box;
+  if (!shape || GEOSisEmpty_r(handle(), shape.get()) != 0) return box;
+  GEOSGeom_getXMin_r(handle(), shape.get(), &box.low.x_m);
+  GEOSGeom_getYMin_r(handle(), shape.get(), &box.low.y_m);
+  GEOSGeom_getXMax_r(handle(), shape.get(), &box.high.x_m);
+  GEOSGeom_getYMax_r(handle(), shape.get(), &box.high.y_m);
+  return box;
+}
+
+Shape within(const Shape& shape, const Box& box) {
+  return common(shape, polygon_of(std::array{box.low, Point{box.high.x_m, box.low.y_m}, box.high,
+                                             Point{box.low.x_m, box.high.y_m}}));
+}
+
 Shape overlaps(const std::vector<Shape>& shapes) {
-  struct Box {
-    double low_x, low_y, high_x, high_y;
-  };
   std::vector<Box> boxes;
-  for (const Shape& shape : shapes) {
-    Box& box = boxes.emplace_back();
-    GEOSGeom_getXMin_r(handle(), shape.get(), &box.low_x);
-    GEOSGeom_getYMin_r(handle(), shape.get(), &box.low_y);
-    GEOSGeom_getXMax_r(handle(), shape.get(), &box.high_x);
-    GEOSGeom_getYMax_r(handle(), shape.get(), &box.high_y);
-  }
+  for (const Shape& shape : shapes) boxes.push_back(box_of(shape));
   std::vector<Shape> pairs;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Prepared prepared{shapes[i]};
     for (std::size_t k = 0; k < i; ++k) {
-      const Box& a = boxes[i];
-      const Box& b = boxes[k];
-      if (a.low_x > b.high_x || b.low_x > a.high_x || a.low_y > b.high_y || b.low_y > a.high_y) continue;
+      if (apart(boxes[i], boxes[k])) continue;
       if (!prepared.touches(shapes[k])) continue;
       if (Shape both = common(shapes[i], shapes[k]); area_m2(both) > 0) pairs.push_back(std::move(both));
     }

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "selion/core/point.hpp"
+#include "box.hpp"
 
 struct GEOSGeom_t;
 struct GEOSPrepGeom_t;
@@ -46,6 +46,10 @@ Shape grown(const Shape& shape, double by_m);
 double area_m2(const Shape& shape);
 double perimeter_m(const Shape& shape);
 double distance_m(const Shape& a, const Shape& b);
+/// Around all of it.
+Box box_of(const Shape& shape);
+/// What of it lies in a box.
+Shape within(const Shape& shape, const Box& box);
 /// How far the farthest corner of `shape` lies from `from`.
 double farthest_m(const Shape& shape, const Shape& from);
 std::vector<Outline> outlines_of(const Shape& shape);

@@ -10,11 +10,6 @@ namespace {
 constexpr std::size_t kTogether = 4;  // boxes, or segments, in one
 constexpr double kOff_m = 1e-6;       // far more than the roundings of doubles here
 
-bool apart(const Box& a, const Box& b) {
-  return a.low.x_m > b.high.x_m + kOff_m || b.low.x_m > a.high.x_m + kOff_m ||
-         a.low.y_m > b.high.y_m + kOff_m || b.low.y_m > a.high.y_m + kOff_m;
-}
-
 bool finite(Point p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
 
 /// Does a line across `axis` part the corners from the segment?
@@ -24,6 +19,15 @@ bool parted(const Corners& corners, const Segment& segment, Point axis) {
   const auto [first, last] = std::minmax({dot(axis, segment.from), dot(axis, segment.to)});
   const double off = kOff_m * (std::abs(axis.x_m) + std::abs(axis.y_m));
   return first - high > off || low - last > off;
+}
+
+bool cross_each_other(const Segment& e, const Segment& f) {
+  const auto parts = [](const Segment& line, const Segment& other) {
+    const double a = cross(line.to - line.from, other.from - line.from);
+    const double b = cross(line.to - line.from, other.to - line.from);
+    return (a < 0 && b > 0) || (a > 0 && b < 0);
+  };
+  return parts(e, f) && parts(f, e);
 }
 
 bool parted(const Corners& corners, const Segment& segment) {
@@ -46,11 +50,31 @@ double distance_m(const Box& box, Point p) {
   return std::sqrt(x * x + y * y);
 }
 
+/// No side of either, and no line across one, parts them.
+bool meet(const Corners& a, const Corners& b) {
+  const auto parted = [&](Point axis) {
+    const auto [a_low, a_high] = std::minmax({dot(axis, a[0]), dot(axis, a[1]), dot(axis, a[2]), dot(axis, a[3])});
+    const auto [b_low, b_high] = std::minmax({dot(axis, b[0]), dot(axis, b[1]), dot(axis, b[2]), dot(axis, b[3])});
+    return a_low > b_high || b_low > a_high;
+  };
+  for (const Corners& corners : {a, b})
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Point side = corners[(i + 1) % corners.size()] - corners[i];
+      if (parted(side) || parted(left_of(side))) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
-void Box::take_in(Point p) {
-  low = {std::min(low.x_m, p.x_m), std::min(low.y_m, p.y_m)};
-  high = {std::max(high.x_m, p.x_m), std::max(high.y_m, p.y_m)};
+double distance_m(const Corners& a, const Corners& b) {
+  if (meet(a, b)) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < b.size(); ++k)
+      least = std::min({least, distance_m(Segment{a[i], a[(i + 1) % a.size()]}, b[k]),
+                        distance_m(Segment{b[k], b[(k + 1) % b.size()]}, a[i])});
+  return least;
 }
 
 Segments::Segments(const std::vector<std::vector<Point>>& lines) {
@@ -95,6 +119,31 @@ bool Segments::clear_of(const Corners& corners, const Box& around, std::size_t l
   for (std::size_t k = i * kTogether; k < end_of(level, i); ++k)
     if (level == 0 ? !parted(corners, segments_[k]) : !clear_of(corners, around, level - 1, k)) return false;
   return true;
+}
+
+bool Segments::tangled(int crossings, int beside) const {
+  Pairs left{crossings, beside};
+  return !segments_.empty() && !take_pairs(levels_.size() - 1, 0, 0, left);
+}
+
+bool Segments::take_pairs(std::size_t level, std::size_t i, std::size_t k, Pairs& left) const {
+  if (i != k && apart(levels_[level][i], levels_[level][k])) return true;
+  for (std::size_t a = i * kTogether; a < end_of(level, i); ++a)
+    for (std::size_t b = i == k ? a : k * kTogether; b < end_of(level, k); ++b)
+      if (level > 0 ? !take_pairs(level - 1, a, b, left)
+                    : a != b && !take_pair(segments_[a], segments_[b], left))
+        return false;
+  return true;
+}
+
+bool Segments::take_pair(const Segment& e, const Segment& f, Pairs& left) const {
+  Box one;
+  one.take_in(e.from), one.take_in(e.to);
+  Box other;
+  other.take_in(f.from), other.take_in(f.to);
+  if (apart(one, other)) return true;
+  if (cross_each_other(e, f)) --left.crossings;
+  return --left.beside >= 0 && left.crossings >= 0;
 }
 
 double Segments::farthest_m(std::span<const Point> places) const {

@@ -7,23 +7,18 @@
 #include <span>
 #include <vector>
 
-#include "selion/core/point.hpp"
+#include "box.hpp"
 
 namespace selion::verifying {
 
 using Corners = std::array<Point, 4>;
 
+/// Between convex quadrilaterals, which may be flat; 0 where they touch.
+double distance_m(const Corners& a, const Corners& b);
+
 struct Segment {
   Point from;
   Point to;
-};
-
-/// With its sides along the axes; new: around nothing.
-struct Box {
-  Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-  void take_in(Point p);
 };
 
 /// The segments of lines, in a tree of boxes around neighbours. Of lines with numbers that are none: none.
@@ -36,6 +31,8 @@ class Segments {
   /// How far the farthest of some places lies from the segment nearest to it; quick where the places follow
   /// the lines. Infinite where there is no segment, or a number is none.
   [[nodiscard]] double farthest_m(std::span<const Point> places) const;
+  /// Do more than `crossings` of its pairs cross, or the boxes around more than `beside` of them meet?
+  [[nodiscard]] bool tangled(int crossings, int beside) const;
 
  private:
   struct Nearest {
@@ -44,6 +41,13 @@ class Segments {
   };
   [[nodiscard]] bool clear_of(const Corners& corners, const Box& around, std::size_t level,
                               std::size_t i) const;
+  struct Pairs {
+    int crossings;
+    int beside;
+  };
+  /// Takes the pairs of a box with itself, or of two, off `left`; false where that gets below 0.
+  bool take_pairs(std::size_t level, std::size_t i, std::size_t k, Pairs& left) const;
+  bool take_pair(const Segment& e, const Segment& f, Pairs& left) const;
   /// Of a segment and those behind it, as long as they come nearer.
   [[nodiscard]] Nearest followed(Point p, std::size_t from) const;
   void look_for(Point p, std::size_t level, std::size_t i, Nearest& nearest) const;

@@ -88,7 +88,7 @@ void TakenApart::check_job(const std::string& trouble) {
 /// The frame keeps lengths, is true to its origin, and lies where the field is.
 void TakenApart::check_frame() {
   constexpr double kStretch = 1e-3;
-  constexpr double kOrigin_m = 10;
+  constexpr double kOrigin_m = 0.01;
   if (!plane_.valid()) return refuse("frame", "PROJ makes nothing of the frame " + case_.plan.proj);
   const LonLat origin = case_.plan.origin;
   const Unit unit = unit_at(plane_, origin);
