@@ -297,7 +297,8 @@ TEST_CASE("robots are held apart by their tools too, however many there are", "[
   };
   const int robots = aside_m < 1 ? 300 : 2;
   for (int k = 0; k < robots; ++k) add(k + 1, k * aside_m);
-  const auto found = std::ranges::count(verify(plan, std::nullopt).findings, "robots_too_close", &Finding::code);
+  const auto found =
+      std::ranges::count(verify(plan, std::nullopt).findings, "robots_too_close", &Finding::code);
   CHECK(found == (robots == 300 ? 5 : aside_m < 4.1 ? 1 : 0));
 }
 

@@ -89,8 +89,11 @@ Ring with_touches(const Ring& ring, const std::vector<Point>& corners_by_x) {
 Ring with_crossings(const Ring& ring) {
   const auto next = [&](std::size_t i) { return ring[(i + 1) % ring.size()]; };
   std::vector<Insertion> insertions;
-  NearEdges{ring}.each_pair([&](std::size_t i, std::size_t k) {
-    const Point a = ring[i], b = next(i), c = ring[k], d = next(k);
+  (void)NearEdges{ring}.each_pair([&](std::size_t i, std::size_t k) {
+    const Point a = ring[i];
+    const Point b = next(i);
+    const Point c = ring[k];
+    const Point d = next(k);
     if (a == c || a == d || b == c || b == d) return true;
     const auto shares = crossing(a, b, c, d);
     if (!shares) return true;

@@ -9,8 +9,8 @@
 namespace selion {
 namespace {
 
-constexpr std::size_t kTogether = 8;    // boxes in one
-constexpr int kMostCrossings = 10'000;  // a track of a day's drive has fewer
+constexpr std::size_t kTogether = 8;          // boxes in one
+constexpr int kMostCrossings = 10'000;        // a track of a day's drive has fewer
 constexpr std::size_t kMostBeside = 200'000;  // pairs of sides: 600 slanted ones across the field have them
 constexpr std::size_t kBesideEach = 20;       // and of each side, where many corners were walked unsteadily
 
@@ -91,10 +91,10 @@ void refuse_tangle(const Ring& ring, const LocalFrame& frame, const std::string&
     return crossings <= kMostCrossings && ++beside <= most_beside;
   });
   if (sound) return;
-  const std::string what =
-      crossings > kMostCrossings
-          ? " crosses itself more than " + std::to_string(kMostCrossings) + " times"
-          : " runs to and fro so often that " + std::to_string(most_beside) + " pairs of its sides lie abreast";
+  const std::string what = crossings > kMostCrossings
+                               ? " crosses itself more than " + std::to_string(kMostCrossings) + " times"
+                               : " runs to and fro so often that " + std::to_string(most_beside) +
+                                     " pairs of its sides lie abreast";
   throw InputError{where + what + " near " + place(frame.to_lonlat(ring[last])) +
                    "; this is no border: draw it anew"};
 }

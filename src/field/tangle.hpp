@@ -20,7 +20,7 @@ class NearEdges {
 
   using Visit = std::function<bool(std::size_t, std::size_t)>;
   /// Each pair once, until `visit` returns false. @returns false where it did.
-  bool each_pair(const Visit& visit) const;
+  [[nodiscard]] bool each_pair(const Visit& visit) const;
 
  private:
   struct Box {

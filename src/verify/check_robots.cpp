@@ -72,7 +72,8 @@ class RobotCheck {
   /// What no place of the robot moves farther than.
   [[nodiscard]] double moved_m(const Driven& driven, double from_s, double to_s) const {
     const double way = way_m(driven, to_s) - way_m(driven, from_s);
-    return way * (1 + plan_.vehicle.most_curvature_per_m * reach_m_) + spun_rad(driven, from_s, to_s) * reach_m_;
+    return way * (1 + plan_.vehicle.most_curvature_per_m * reach_m_) +
+           spun_rad(driven, from_s, to_s) * reach_m_;
   }
 
   /// How far it turns on the spot then, or farther.

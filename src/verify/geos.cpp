@@ -112,6 +112,7 @@ Shape within(const Shape& shape, const Box& box) {
 
 Shape overlaps(const std::vector<Shape>& shapes) {
   std::vector<Box> boxes;
+  boxes.reserve(shapes.size());
   for (const Shape& shape : shapes) boxes.push_back(box_of(shape));
   std::vector<Shape> pairs;
   for (std::size_t i = 0; i < shapes.size(); ++i) {

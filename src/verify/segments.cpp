@@ -53,8 +53,10 @@ double distance_m(const Box& box, Point p) {
 /// No side of either, and no line across one, parts them.
 bool meet(const Corners& a, const Corners& b) {
   const auto parted = [&](Point axis) {
-    const auto [a_low, a_high] = std::minmax({dot(axis, a[0]), dot(axis, a[1]), dot(axis, a[2]), dot(axis, a[3])});
-    const auto [b_low, b_high] = std::minmax({dot(axis, b[0]), dot(axis, b[1]), dot(axis, b[2]), dot(axis, b[3])});
+    const auto [a_low, a_high] =
+        std::minmax({dot(axis, a[0]), dot(axis, a[1]), dot(axis, a[2]), dot(axis, a[3])});
+    const auto [b_low, b_high] =
+        std::minmax({dot(axis, b[0]), dot(axis, b[1]), dot(axis, b[2]), dot(axis, b[3])});
     return a_low > b_high || b_low > a_high;
   };
   for (const Corners& corners : {a, b})
@@ -136,7 +138,7 @@ bool Segments::take_pairs(std::size_t level, std::size_t i, std::size_t k, Pairs
   return true;
 }
 
-bool Segments::take_pair(const Segment& e, const Segment& f, Pairs& left) const {
+bool Segments::take_pair(const Segment& e, const Segment& f, Pairs& left) {
   Box one;
   one.take_in(e.from), one.take_in(e.to);
   Box other;

@@ -47,7 +47,7 @@ class Segments {
   };
   /// Takes the pairs of a box with itself, or of two, off `left`; false where that gets below 0.
   bool take_pairs(std::size_t level, std::size_t i, std::size_t k, Pairs& left) const;
-  bool take_pair(const Segment& e, const Segment& f, Pairs& left) const;
+  static bool take_pair(const Segment& e, const Segment& f, Pairs& left);
   /// Of a segment and those behind it, as long as they come nearer.
   [[nodiscard]] Nearest followed(Point p, std::size_t from) const;
   void look_for(Point p, std::size_t level, std::size_t i, Nearest& nearest) const;
