@@ -302,6 +302,19 @@ TEST_CASE("robots are held apart by their tools too, however many there are", "[
   CHECK(found == (robots == 300 ? 5 : aside_m < 4.1 ? 1 : 0));
 }
 
+TEST_CASE("a headland pass beside a swath is no swath, one in its place is", "[verify]") {
+  PlanFile plan = written(small_field(), "");
+  const bool in_its_place = GENERATE(false, true);
+  const SwathRecord swath = plan.swaths.at(plan.swaths.size() / 2);
+  const double aside_deg = 0.4 * plan.trajectories.at(0).working_width_m / 111'229;
+  plan.headland_passes.push_back({swath.block, "H99", 1, swath.line, swath.width_m});
+  for (LonLat& p : plan.headland_passes.back().line) p.lat_deg += aside_deg;
+  if (in_its_place) std::erase_if(plan.swaths, [&](const SwathRecord& s) { return s.id == swath.id; });
+  const Verdict verdict = verify(plan, std::nullopt);
+  const auto told_a_swath = [](const Finding& f) { return f.code == "line_kind" && mentions(f.what, "H99"); };
+  CHECK(std::ranges::any_of(verdict.findings, told_a_swath) == in_its_place);
+}
+
 TEST_CASE("a pivot that does most of its turn between two samples in no time is found", "[verify]") {
   PlanFile plan = written(small_field(), "[machine]\npreset = \"husky\"\n[headland]\npasses = 0\n");
   CHECK(text_of(verify(plan, std::nullopt)).empty());

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kOverlap_m = 0.02;  // of neighbouring rings, so that no sliver stays between
 constexpr double kStray_m = 0.05;    // what lines of passes may stray along borders that are not straight
-constexpr double kDrivable_m = 0.2;  // what each ring strays from the one outside it where it must
-constexpr double kNextRing = 0.7;    // widths farther in than a ring
-constexpr double kLong = 8;          // widths
+constexpr double kStray = 0.14;      // widths that each ring strays from the one outside it where it must
+constexpr double kMostStray = 0.4;
+constexpr double kNextRing = 0.7;  // widths farther in than a ring
+constexpr double kLong = 8;        // widths
 constexpr double kLongRing_m = 100;
 constexpr double kStep_m = 2;
 
@@ -112,7 +113,7 @@ class HeadlandCheck {
       const double told = half_m() + (pass.ring - 1) * spacing_m();
       const double usual = usual_distance_m(line, around);
       const double strays =
-          length_m(line) < kLongRing_m ? std::min(pass.ring * kDrivable_m, spacing_m() / 4) : 0;
+          length_m(line) < kLongRing_m ? std::min(pass.ring * kStray, kMostStray) * spacing_m() : 0;
       if (!(usual >= told - spacing_m() / 2 - strays))
         say({usual, told},
             pass.id + " is said to be ring " + std::to_string(pass.ring) + ", " + shown(told, 1) +
@@ -127,15 +128,32 @@ class HeadlandCheck {
         return say({1.0 * ring, 0}, "no headland pass is of ring " + std::to_string(ring));
   }
 
-  /// Straight, parallel to the AB line and in a cell.
+  /// How much of the line from `a` lies beside swaths whose middle is nearer than half a width.
+  [[nodiscard]] double worked_by_swaths_m(Point a, Point along, double length) const {
+    double worked = 0;
+    for (const SwathRecord& swath : plan_.plan.swaths) {
+      if (swath.block != ground_.block || swath.line.empty()) continue;
+      const Point from = plan_.plane.to_local(swath.line.front()) - a;
+      const Point to = plan_.plane.to_local(swath.line.back()) - a;
+      if (std::abs(cross(along, from + to)) >= plan_.vehicle.machine.working_width_m) continue;
+      const auto [low, high] = std::minmax({dot(along, from), dot(along, to)});
+      worked += std::max(0.0, std::min(high, length) - std::max(low, 0.0));
+    }
+    return worked;
+  }
+
+  /// Straight, parallel to the AB line and in a cell, where no swath works.
   void is_no_swath(const HeadlandPassRecord& pass, const std::vector<Point>& line) {
     constexpr double kParallel_m = 0.02;
     constexpr double kMost = 0.5;
     const auto ab = std::ranges::find(plan_.plan.ab_lines, ground_.block, &AbRecord::block);
     if (line.size() != 2 || ab == plan_.plan.ab_lines.end()) return;
     const Point along = unit(heading_rad(plan_.plane.to_local(ab->b) - plan_.plane.to_local(ab->a)));
+    if (std::abs(cross(along, line[1] - line[0])) > kParallel_m) return;
     const double within = perimeter_m(common(line_through(line), cells_));
-    if (std::abs(cross(along, line[1] - line[0])) <= kParallel_m && within >= kMost * length_m(line))
+    const Point ahead = unit(heading_rad(line[1] - line[0]));
+    if (within >= kMost * length_m(line) &&
+        worked_by_swaths_m(line[0], ahead, length_m(line)) < kMost * length_m(line))
       plan_.findings.add(
           "line_kind", ground_.block, line.front(), {within, 0},
           "headland pass " + pass.id + " lies in a cell, parallel to the AB line: it is a swath");
