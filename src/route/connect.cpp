@@ -208,12 +208,21 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, co
   return fastest_with_stops(terrain, swings, from, to, std::move(fastest));
 }
 
-std::optional<Path> turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m) {
-  if (auto line = on_line(terrain, from, to); line.is_decided) return std::move(line.way);
+SoonFound turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m) {
+  if (auto line = on_line(terrain, from, to); line.is_decided) return {std::move(line.way), true};
   const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
   auto ahead = turn_ahead(terrain, terrain.swings, from, to, longest);
-  if (ahead || manoeuvres_of(terrain.machine) == Manoeuvres{}) return ahead;
+  const bool is_all = ahead || manoeuvres_of(terrain.machine) == Manoeuvres{};
+  return {std::move(ahead), is_all};
+}
+
+std::optional<Path> turn_with_stops(const Terrain& terrain, const Pose& from, const Pose& to, double most_m) {
+  const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
   return fastest_with_stops(terrain, terrain.swings, from, to, Fastest{terrain, longest});
+}
+
+double least_with_stop_m(const Terrain& terrain, const Pose& from, const Pose& to) {
+  return least_with_stop_s(terrain, from, to) * terrain.machine.turn_speed_mps;
 }
 
 }  // namespace selion

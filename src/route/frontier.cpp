@@ -28,15 +28,26 @@ Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, con
   return link;
 }
 
-std::optional<Path> turn_of(const Terrain& terrain, const Link& link) {
-  return turn_soon_found(terrain, link.start, link.end, longest_m(terrain, link));
+void look_for_turn(const Terrain& terrain, const Link& link, KnownTurn& known) {
+  const double most_m = longest_m(terrain, link);
+  if (!link.without_stops) {
+    SoonFound found = turn_soon_found(terrain, link.start, link.end, most_m);
+    known = {std::move(found.turn), found.is_all};
+  } else {
+    known = {turn_with_stops(terrain, link.start, link.end, most_m), true};
+  }
 }
 
-void work_out(const Terrain& terrain, Link& link, std::optional<Path> turn) {
-  link.worked_out = true;
-  if (!turn) return;
+void work_out(const Terrain& terrain, Link& link, const KnownTurn& known) {
+  link.worked_out = known.is_all;
+  if (!known.is_all && !link.without_stops) {
+    link.without_stops = true;
+    const double rest_m = link.least_m - link.turn_m;
+    link.least_m = rest_m + std::max(link.turn_m, least_with_stop_m(terrain, link.start, link.end));
+  }
+  if (!known.turn) return;
   link.is_first_found = true;
-  link.path = std::move(*turn);
+  link.path = *known.turn;
   if (link.after != nullptr) append(link.path, *link.after);
   link.cost_m = cost_m(terrain, link.path);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "connect.hpp"
+#include "known_ground.hpp"
 
 namespace selion {
 
@@ -22,6 +23,7 @@ struct Link {
   const Path* after = nullptr;  ///< driven after the turn; outlives the link
   double turn_m = 0;            ///< the turn is no shorter
   double least_m = 0;           ///< it costs no less
+  bool without_stops = false;  ///< none is found so
   bool worked_out = false;
   bool is_first_found = false;                              ///< another turn may take less time
   Path path;                                                ///< empty where there is none
@@ -30,10 +32,11 @@ struct Link {
 
 /// A link of the least cost that a turn between the poses can have.
 Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, const Pose& end);
-/// The first turn found for a link: of the many that a search asks for it drives few.
-std::optional<Path> turn_of(const Terrain& terrain, const Link& link);
-/// Sets a link's path and cost by its turn.
-void work_out(const Terrain& terrain, Link& link, std::optional<Path> turn);
+/// The first turn found for a link: of the many that a search asks for it drives few. First one without
+/// stops; where there is none and the link is known to have none, one with stops.
+void look_for_turn(const Terrain& terrain, const Link& link, KnownTurn& known);
+/// Sets a link's path and cost by its turn; or what one with stops costs at least, still to be looked for.
+void work_out(const Terrain& terrain, Link& link, const KnownTurn& known);
 /// The link's path, its turn the one that takes least.
 Path at_its_fastest(const Terrain& terrain, const Link& link);
 

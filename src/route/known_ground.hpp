@@ -41,9 +41,15 @@ struct TriedMoves {
   std::uint32_t inside = 0;  ///< of those tried, the ones that stay inside
 };
 
+/// The turn soon found between two poses, as far as it has been asked for.
+struct KnownTurn {
+  std::optional<Path> turn;  ///< none: there is none
+  bool is_all = false;       ///< turns with stops too have been looked for, where the machine may drive them
+};
+
 struct KnownGround {
   std::unordered_map<Pose, TriedMoves, PoseHash> moves;
-  std::unordered_map<PosePair, std::optional<Path>, PoseHash> turns;  ///< soon found; none: there is none
+  std::unordered_map<PosePair, KnownTurn, PoseHash> turns;
 };
 
 }  // namespace selion

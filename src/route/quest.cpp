@@ -12,9 +12,7 @@ namespace {
 constexpr std::size_t kMostVisited = 40000;
 constexpr std::size_t kSoon = 60;         // visited
 constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
-constexpr std::size_t kLong = 4000;       // visited: to go on looking for the best takes too long
-constexpr double kGreed = 1.6;            // weight of the distance to go: within this factor of the best
-constexpr double kGreedier = 3;           // where it takes long
+constexpr double kGreed = 3;              // weight of the distance to go; by 1.6 no way was shorter on the whole
 constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
 constexpr double kFar = 2;                // reaches: further off, dearer ground counts
 constexpr double kVeryFar = 8;            // reaches: there it counts from the first
@@ -34,7 +32,7 @@ Link known_link(std::size_t to, const Path& path, double cost_m) {
 
 Quest::Quest(Roads& roads, const Pose& from, const std::vector<Pose>& goals,
              const std::vector<Path>& retreats)
-    : roads_{roads}, terrain_{roads.terrain()}, goals_{goals}, greed_{kGreed} {
+    : roads_{roads}, terrain_{roads.terrain()}, goals_{goals} {
   add_start(from, {});
   for (const Path& retreat : retreats) add_start(end_pose(retreat), retreat);
   for (std::size_t g = 0; g < goals.size(); ++g) add_ends(g);
@@ -66,7 +64,7 @@ double Quest::rest_m(std::size_t node) {
   if (!is_new) return known->second;
   const Pose& here = pose(node);
   const double guided_m = guide_ ? guide_->to_goal_m(here.at) : 0;
-  return known->second = greed_ * std::max(dubins_m(here), std::isinf(guided_m) ? 0 : guided_m);
+  return known->second = kGreed * std::max(dubins_m(here), std::isinf(guided_m) ? 0 : guided_m);
 }
 
 /// Far from where a search begins and ends, junctions are enough.
@@ -120,7 +118,8 @@ void Quest::expand(const Frontier::Entry& next) {
   if (next.link == nullptr) {
     if (!frontier_.outdated(next, rest_m(next.node))) leave(next.node);
   } else if (frontier_.promises(next)) {
-    roads_.work_out(*next.link);
+    roads_.work_on(*next.link);
+    if (!next.link->worked_out) return propose(next.node, *next.link);
     frontier_.drive(next.node, *next.link, rest_m(next.link->to));
   }
 }
@@ -163,11 +162,7 @@ std::optional<std::size_t> Quest::found() {
   if (realm_ != nullptr && goals_not_in_vain(*realm_).empty()) return std::nullopt;
   guide_beyond(kFar);
   if (has_few_goals() && !find_entries()) return found(kMostInVain);
-  auto goal = found(kLong);
-  if (!goal && !frontier_.empty()) {
-    greed_ = kGreedier;
-    goal = found(kMostVisited);
-  }
+  const auto goal = found(kMostVisited);
   if (!goal && frontier_.empty() && realm_ == nullptr) realm_ = roads_.remember_realm(stations_reached());
   return goal;
 }

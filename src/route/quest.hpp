@@ -83,7 +83,6 @@ class Quest {
   std::unordered_map<std::size_t, std::vector<Link*>> to_ends_;  // from a station
   std::unordered_map<std::size_t, double> rest_m_;
   std::optional<Guide> guide_;  // over a long way
-  double greed_;                // weight of what is left of it
   Frontier frontier_;
 };
 

@@ -137,11 +137,15 @@ Roads::Links& Roads::turns_from(std::size_t node) {
   return known->second;
 }
 
-void Roads::work_out(Link& link) {
+void Roads::work_on(Link& link) {
   if (link.worked_out) return;
   const auto [known, is_new] = known_.turns.try_emplace({link.start, link.end});
-  if (is_new) known->second = turn_of(terrain_, link);
+  if (is_new || (link.without_stops && !known->second.is_all)) look_for_turn(terrain_, link, known->second);
   selion::work_out(terrain_, link, known->second);
+}
+
+void Roads::work_out(Link& link) {
+  while (!link.worked_out) work_on(link);
 }
 
 const Roads::Stations* Roads::remember_realm(Stations stations) {

@@ -73,6 +73,8 @@ class Roads {
 
   /// A link of a search's own, from where it begins or to its goals: worked out once for all searches.
   void work_out(Link& link);
+  /// As far as turns without stops; where there is none, it may be worked on once more.
+  void work_on(Link& link);
   /// What searches of the ground know already.
   KnownGround& known_ground() { return known_; }
 
