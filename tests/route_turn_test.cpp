@@ -37,7 +37,8 @@ class Ground {
     return direct_turn(ground, ground.swings, {}, to, 1e9);
   }
   [[nodiscard]] std::optional<Path> turn_soon(const Pose& to, double most_m = 1e9) const {
-    return turn_soon_found(terrain(), {}, to, most_m);
+    SoonFound found = turn_soon_found(terrain(), {}, to, most_m);
+    return found.is_all ? std::move(found.turn) : turn_with_stops(terrain(), {}, to, most_m);
   }
 
   /// Of all families that the machine may drive, those that stay inside.
