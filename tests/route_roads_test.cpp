@@ -95,7 +95,6 @@ TEST_CASE("a goal that one part of the roads does not lead to is found from anot
 
 TEST_CASE("the turns of a way over the roads are the fastest, whichever was found first", "[route]") {
   int faster = 0;
-  int without_ahead = 0;
   for (const double beyond_m : {20.0, 9.0, 7.5})
     for (const double aside_m : {1.0, 2.0, 3.0, 4.0, 5.0}) {
       CAPTURE(beyond_m, aside_m);
@@ -106,8 +105,6 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
       const auto soon = ahead.is_all ? ahead.turn : turn_with_stops(ground.terrain, {}, to, 40);
       REQUIRE(fastest);
       REQUIRE(soon);
-      CHECK((ahead.is_all || cost_m(ground.terrain, *soon) >= least_with_stop_m(ground.terrain, {}, to)));
-      without_ahead += ahead.is_all ? 0 : 1;
       KnownGround known;
       const auto way = Roads{ground.terrain, {}, known}.way({}, {to}, {});
       REQUIRE(way);
@@ -116,7 +113,6 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
       faster += reverses(*fastest) && !reverses(*soon) ? 1 : 0;
     }
   CHECK(faster > 0);
-  CHECK(without_ahead > 0);
 }
 
 TEST_CASE("what one search has learned of the ground leads the next one nowhere else", "[route]") {

@@ -142,6 +142,7 @@ TEST_CASE("a turn soon found stops where none forwards is short enough", "[route
   const auto soon = ground.turn_soon(beside, length_m(*fastest) + 0.1);
   REQUIRE(soon);
   CHECK(reverses(*soon));
+  CHECK(cost_m(ground.terrain(), *soon) >= least_with_stop_m(ground.terrain(), {}, beside));
 }
 
 TEST_CASE("a machine turns about on ground too shallow for a loop, if it may reverse or pivot",

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kCostStep_m = 3;
 constexpr double kShortRun = 5;   // radii: so far backwards is part of a turn
-constexpr double kBackwards = 1;  // extra cost of a metre backwards beyond that: it is driven without a view
+constexpr double kBackwards = 4;  // extra cost of a metre backwards beyond that: it is driven without a view
 
 constexpr double kMiss = 1e-7;  // m, rad: a tenth of what joints may miss
 

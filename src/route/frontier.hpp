@@ -23,7 +23,7 @@ struct Link {
   const Path* after = nullptr;  ///< driven after the turn; outlives the link
   double turn_m = 0;            ///< the turn is no shorter
   double least_m = 0;           ///< it costs no less
-  bool without_stops = false;  ///< none is found so
+  bool without_stops = false;   ///< none is found so
   bool worked_out = false;
   bool is_first_found = false;                              ///< another turn may take less time
   Path path;                                                ///< empty where there is none
