@@ -40,6 +40,10 @@ class Ground {
     SoonFound found = turn_soon_found(terrain(), {}, to, most_m);
     return found.is_all ? std::move(found.turn) : turn_with_stops(terrain(), {}, to, most_m);
   }
+  [[nodiscard]] double costs_m(const Path& path) const { return cost_m(terrain(), path); }
+  [[nodiscard]] double least_with_stop_m(const Pose& to) const {
+    return selion::least_with_stop_m(terrain(), {}, to);
+  }
 
   /// Of all families that the machine may drive, those that stay inside.
   [[nodiscard]] std::vector<Path> all(double aside_m, double ahead_m, bool forwards) const {
@@ -142,7 +146,7 @@ TEST_CASE("a turn soon found stops where none forwards is short enough", "[route
   const auto soon = ground.turn_soon(beside, length_m(*fastest) + 0.1);
   REQUIRE(soon);
   CHECK(reverses(*soon));
-  CHECK(cost_m(ground.terrain(), *soon) >= least_with_stop_m(ground.terrain(), {}, beside));
+  CHECK(ground.costs_m(*soon) >= ground.least_with_stop_m(beside));
 }
 
 TEST_CASE("a machine turns about on ground too shallow for a loop, if it may reverse or pivot",
