@@ -12,10 +12,10 @@ namespace {
 constexpr std::size_t kMostVisited = 40000;
 constexpr std::size_t kSoon = 60;         // visited
 constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
-constexpr double kGreed = 3;              // weight of the distance to go; by 1.6 no way was shorter on the whole
-constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
-constexpr double kFar = 2;                // reaches: further off, dearer ground counts
-constexpr double kVeryFar = 8;            // reaches: there it counts from the first
+constexpr double kGreed = 3;         // weight of the distance to go; by 1.6 no way was shorter on the whole
+constexpr double kTurnsLater = 3;    // radii: a turn must promise so much more than driving on
+constexpr double kFar = 2;           // reaches: further off, dearer ground counts
+constexpr double kVeryFar = 8;       // reaches: there it counts from the first
 constexpr double kGuideCells = 150;  // a side: fine enough to tell headland from mainland on a large field
 
 Link known_link(std::size_t to, const Path& path, double cost_m) {
