@@ -101,7 +101,7 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
       const Ground ground{Polygon{{{-60, -60}, {beyond_m, -60}, {beyond_m, 60}, {-60, 60}}, {}}};
       const Pose to{{-6, aside_m}, 0};  // behind: by a loop, or backwards
       const auto fastest = direct_turn(ground.terrain, ground.terrain.swings, {}, to, 40);
-      const SoonFound ahead = turn_soon_found(ground.terrain, {}, to, 40);
+      const KnownTurn ahead = turn_soon_found(ground.terrain, {}, to, 40);
       const auto soon = ahead.is_all ? ahead.turn : turn_with_stops(ground.terrain, {}, to, 40);
       REQUIRE(fastest);
       REQUIRE(soon);

@@ -37,7 +37,7 @@ class Ground {
     return direct_turn(ground, ground.swings, {}, to, 1e9);
   }
   [[nodiscard]] std::optional<Path> turn_soon(const Pose& to, double most_m = 1e9) const {
-    SoonFound found = turn_soon_found(terrain(), {}, to, most_m);
+    KnownTurn found = turn_soon_found(terrain(), {}, to, most_m);
     return found.is_all ? std::move(found.turn) : turn_with_stops(terrain(), {}, to, most_m);
   }
   [[nodiscard]] double costs_m(const Path& path) const { return cost_m(terrain(), path); }

@@ -208,7 +208,7 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, co
   return fastest_with_stops(terrain, swings, from, to, std::move(fastest));
 }
 
-SoonFound turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m) {
+KnownTurn turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m) {
   if (auto line = on_line(terrain, from, to); line.is_decided) return {std::move(line.way), true};
   const double longest = std::min(most_m, longest_turn_m(terrain, from, to));
   auto ahead = turn_ahead(terrain, terrain.swings, from, to, longest);

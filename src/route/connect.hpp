@@ -48,12 +48,9 @@ std::optional<Path> direct_turn(const Terrain& terrain, const Swings& swings, co
                                 const Pose& to, double most_m);
 
 /// For searches, which ask for many turns and drive few: as direct_turn(), but the shortest forwards where
-/// there is one, although another may take less time.
-struct SoonFound {
-  std::optional<Path> turn;
-  bool is_all = true;  ///< else turn_with_stops() may find one
-};
-SoonFound turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m);
+/// there is one, although another may take less time. Where not all is looked for, turn_with_stops() may
+/// find one.
+KnownTurn turn_soon_found(const Terrain& terrain, const Pose& from, const Pose& to, double most_m);
 std::optional<Path> turn_with_stops(const Terrain& terrain, const Pose& from, const Pose& to, double most_m);
 /// No such turn costs less.
 double least_with_stop_m(const Terrain& terrain, const Pose& from, const Pose& to);

@@ -30,12 +30,10 @@ Link link_between(const Terrain& terrain, std::size_t to, const Pose& start, con
 
 void look_for_turn(const Terrain& terrain, const Link& link, KnownTurn& known) {
   const double most_m = longest_m(terrain, link);
-  if (!link.without_stops) {
-    SoonFound found = turn_soon_found(terrain, link.start, link.end, most_m);
-    known = {std::move(found.turn), found.is_all};
-  } else {
+  if (link.without_stops)
     known = {turn_with_stops(terrain, link.start, link.end, most_m), true};
-  }
+  else
+    known = turn_soon_found(terrain, link.start, link.end, most_m);
 }
 
 void work_out(const Terrain& terrain, Link& link, const KnownTurn& known) {

@@ -19,9 +19,9 @@ struct Box {
   }
 };
 
-/// By a micrometre, far more than the roundings of doubles here, or more.
+constexpr double kOff_m = 1e-6;  // far more than the roundings of doubles here
+
 inline bool apart(const Box& a, const Box& b) {
-  constexpr double kOff_m = 1e-6;
   return a.low.x_m > b.high.x_m + kOff_m || b.low.x_m > a.high.x_m + kOff_m ||
          a.low.y_m > b.high.y_m + kOff_m || b.low.y_m > a.high.y_m + kOff_m;
 }

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kOverlap_m = 0.02;  // of neighbouring rings, so that no sliver stays between
 constexpr double kStray_m = 0.05;    // what lines of passes may stray along borders that are not straight
-constexpr double kStray = 0.14;      // widths that each ring strays from the one outside it where it must
+constexpr double kDrivable_m = 0.2;  // what each ring strays from the one outside it where it must; more
+constexpr double kStray = 0.12;      // widths past slits
 constexpr double kMostStray = 0.4;
 constexpr double kNextRing = 0.7;  // widths farther in than a ring
 constexpr double kLong = 8;        // widths
@@ -49,6 +50,12 @@ class HeadlandCheck {
     return std::max(plan_.vehicle.machine.working_width_m, plan_.vehicle.machine.body_width_m) / 2;
   }
   [[nodiscard]] double spacing_m() const { return plan_.vehicle.machine.working_width_m - kOverlap_m; }
+
+  /// What a short ring may lie nearer to the border than it should.
+  [[nodiscard]] double strays_m(int ring) const {
+    const double past_slits = std::min((ring - 1) * kStray, kMostStray) * spacing_m();
+    return std::max(std::min(ring * kDrivable_m, spacing_m() / 4), past_slits);
+  }
 
   /// As deep as edge margin and passes make it.
   void depth() {
@@ -112,8 +119,7 @@ class HeadlandCheck {
             line.front());
       const double told = half_m() + (pass.ring - 1) * spacing_m();
       const double usual = usual_distance_m(line, around);
-      const double strays =
-          length_m(line) < kLongRing_m ? std::min(pass.ring * kStray, kMostStray) * spacing_m() : 0;
+      const double strays = length_m(line) < kLongRing_m ? strays_m(pass.ring) : 0;
       if (!(usual >= told - spacing_m() / 2 - strays))
         say({usual, told},
             pass.id + " is said to be ring " + std::to_string(pass.ring) + ", " + shown(told, 1) +

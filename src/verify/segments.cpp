@@ -8,7 +8,6 @@ namespace selion::verifying {
 namespace {
 
 constexpr std::size_t kTogether = 4;  // boxes, or segments, in one
-constexpr double kOff_m = 1e-6;       // far more than the roundings of doubles here
 
 bool finite(Point p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
 
