@@ -44,8 +44,8 @@ TEST_CASE("near edges are those whose boxes meet, each pair once", "[field][tang
   const Ring ring = jitter({}, 300, 100);
   const auto meet = [&](std::size_t i, std::size_t k) {
     const auto along = [&](auto coordinate) {
-      const auto [a, b] = std::minmax(coordinate(ring[i]), coordinate(ring[(i + 1) % ring.size()]));
-      const auto [c, d] = std::minmax(coordinate(ring[k]), coordinate(ring[(k + 1) % ring.size()]));
+      const auto [a, b] = std::minmax({coordinate(ring[i]), coordinate(ring[(i + 1) % ring.size()])});
+      const auto [c, d] = std::minmax({coordinate(ring[k]), coordinate(ring[(k + 1) % ring.size()])});
       return a <= d && c <= b;
     };
     return along([](Point p) { return p.x_m; }) && along([](Point p) { return p.y_m; });
