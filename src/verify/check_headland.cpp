@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "check.hpp"
@@ -17,7 +18,8 @@ constexpr double kMostStray = 0.4;
 constexpr double kNextRing = 0.7;  // widths farther in than a ring
 constexpr double kLong = 8;        // widths
 constexpr double kLongRing_m = 100;
-constexpr double kStep_m = 2;
+constexpr double kStep_m = 2;        // from place to place of a line
+constexpr double kMostPlaces = 200;  // of it
 
 Shape shape_of(const Plane& plane, const std::vector<LonLatArea>& parts) {
   std::vector<Shape> shapes;
@@ -81,18 +83,23 @@ class HeadlandCheck {
       if (cell.block == ground_.block) parts.insert(parts.end(), cell.parts.begin(), cell.parts.end());
     const Shape& cells = cells_ = shape_of(plan_.plane, parts);
     const Shape band = shape_of(plan_.plane, headland_.parts);
+    const Shape both = united({band, cells});
     const double slack = 0.1 + 1e-3 * (perimeter_m(band) + perimeter_m(cells));
-    const auto tell = [&](const Shape& where, const std::string& what) {
-      if (area_m2(where) > slack)
-        say({area_m2(where), slack}, shown(area_m2(where), 1) + " m2 " + what, place_in(where));
+    const double both_m2 = area_m2(both);
+    const double in_block_m2 = area_m2(common(ground_.area, both));
+    const auto tell = [&](double area, const std::string& what, const std::function<Shape()>& where) {
+      if (area > slack) say({area, slack}, shown(area, 1) + " m2 " + what, place_in(where()));
     };
-    tell(common(band, cells), "are said to be headland and cell");
+    tell(area_m2(band) + area_m2(cells) - both_m2, "are said to be headland and cell",
+         [&] { return common(band, cells); });
     double sum = 0;
     for (const LonLatArea& part : parts) sum += area_m2(shape_of(plan_.plane, {part}));
     if (const double twice = sum - area_m2(cells); twice > slack)
       say({twice, slack}, shown(twice, 1) + " m2 are said to be two cells");
-    tell(without(ground_.area, united({band, cells})), "of the block are neither headland nor cell");
-    tell(without(united({band, cells}), ground_.area), "of headland and cells lie outside the block");
+    tell(area_m2(ground_.area) - in_block_m2, "of the block are neither headland nor cell",
+         [&] { return without(ground_.area, both); });
+    tell(both_m2 - in_block_m2, "of headland and cells lie outside the block",
+         [&] { return without(both, ground_.area); });
     if (parts.empty()) return;
     const double near = distance_m(cells, border_of(filled(ground_.area)));
     if (!(near >= headland_.depth_m - kOverlap_m))
@@ -108,6 +115,7 @@ class HeadlandCheck {
     bool farther_in = false;
     const Prepared around{border_of(ground_.free)};
     const Prepared border{border_of(filled(ground_.area))};
+    const bool is_bare = !(area_m2(ground_.kept) > 0);
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes) {
       if (pass.block != ground_.block) continue;
       rings.insert(pass.ring);
@@ -125,7 +133,7 @@ class HeadlandCheck {
             pass.id + " is said to be ring " + std::to_string(pass.ring) + ", " + shown(told, 1) +
                 " m or more from border and obstacles; it lies " + shown(usual, 1) + " m off",
             line.front());
-      keeps_margin(pass.id, line, {usual_distance_m(line, border), half_m() + plan_.vehicle.edge_margin_m});
+      keeps_margin(pass.id, line, is_bare ? usual : usual_distance_m(line, border));
       is_no_swath(pass, line);
       farther_in = farther_in || usual >= told + kNextRing * spacing_m();
     }
@@ -166,13 +174,12 @@ class HeadlandCheck {
   }
 
   /// A long line does; short ones lead into corners.
-  void keeps_margin(const std::string& id, const std::vector<Point>& line, const Measured& off) {
-    if (length_m(line) < kLong * plan_.vehicle.machine.working_width_m || off.measure >= off.limit - kStray_m)
-      return;
-    plan_.findings.add("edge_margin", ground_.block, line.front(), off,
-                       id + " lies " + shown(off.measure, 3) +
-                           " m from the border; tool, ring and edge margin make it " + shown(off.limit, 3) +
-                           " m");
+  void keeps_margin(const std::string& id, const std::vector<Point>& line, double off) {
+    const double told = half_m() + plan_.vehicle.edge_margin_m;
+    if (length_m(line) < kLong * plan_.vehicle.machine.working_width_m || off >= told - kStray_m) return;
+    plan_.findings.add("edge_margin", ground_.block, line.front(), {off, told},
+                       id + " lies " + shown(off, 3) +
+                           " m from the border; tool, ring and edge margin make it " + shown(told, 3) + " m");
   }
 
   [[nodiscard]] static double length_m(const std::vector<Point>& line) {
@@ -183,12 +190,15 @@ class HeadlandCheck {
 
   /// Of half of the line's places: it cuts corners and swings out round others. Past slits it leads far off.
   [[nodiscard]] static double usual_distance_m(const std::vector<Point>& points, const Prepared& border) {
-    std::vector<double> off;
+    const double step = std::max(kStep_m, length_m(points) / kMostPlaces);
+    std::vector<double> off{border.distance_m(std::array{points.front()})};
+    double to_next = step;
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const int steps = 1 + static_cast<int>(distance_m(points[i - 1], points[i]) / kStep_m);
-      for (int k = 0; k < steps; ++k)
+      const double length = distance_m(points[i - 1], points[i]);
+      for (; to_next <= length; to_next += step)
         off.push_back(
-            border.distance_m(std::array{points[i - 1] + (1.0 * k / steps) * (points[i] - points[i - 1])}));
+            border.distance_m(std::array{points[i - 1] + (to_next / length) * (points[i] - points[i - 1])}));
+      to_next -= length;
     }
     const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
     std::ranges::nth_element(off, middle);
