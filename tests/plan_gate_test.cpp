@@ -54,6 +54,26 @@ TEST_CASE("the drive starts and ends at its gate, in a corner too", "[plan][gate
   CHECK(askew == (share != 0.5));
 }
 
+TEST_CASE("the last headland pass ends near the gate, wherever that is", "[plan][gate]") {
+  const double share = GENERATE(0.1, 0.5, 0.9);
+  const auto* const settings = GENERATE("preset = \"robot-3m\"\n", "preset = \"tractor-6m\"\n",
+                                        "preset = \"tractor-6m\"\n[headland]\ncorners = \"fill\"\n");
+  CAPTURE(share, settings);
+  const Job job = job_of(settings_of_toml("[machine]\n" + std::string{settings}, "test"));
+
+  const auto planned = plan(field_with_gate(share), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const std::vector<PieceRecord>& pieces = planned->file.trajectories.at(0).pieces;
+  const auto last =
+      std::find_if(pieces.rbegin(), pieces.rend(), [](const PieceRecord& piece) { return piece.tool == 1; });
+  REQUIRE(last != pieces.rend());
+  CHECK(last->kind == "headland_pass");
+  double way_m = 0;
+  for (auto piece = pieces.rbegin(); piece != last; ++piece) way_m += piece->length_m;
+  CHECK(way_m < 12 / max_curvature_per_m(job.machine) + 2 * job.machine.working_width_m);
+}
+
 TEST_CASE("a post by the gate has the drive start elsewhere, in the order that is asked for",
           "[plan][gate]") {
   struct Post {

@@ -115,6 +115,17 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
   CHECK(faster > 0);
 }
 
+TEST_CASE("no turn leads far backwards, where it would take less time", "[route]") {
+  const Ground ground{Polygon{{{-300, -60}, {60, -60}, {60, 60}, {-300, 60}}, {}}};
+  const double radius_m = 1 / ground.limits.curvature_per_m;
+  for (const double back_m : {4 * radius_m, 100.0, 250.0}) {
+    CAPTURE(back_m);
+    const auto turn = direct_turn(ground.terrain, ground.terrain.swings, {}, {{-back_m, 0.5}, 0}, 1000);
+    REQUIRE(turn);
+    CHECK(reverses(*turn) == (back_m < 100));
+  }
+}
+
 TEST_CASE("what one search has learned of the ground leads the next one nowhere else", "[route]") {
   const Ground ground{two_yards()};
   const std::vector<Pose> from{{{10, 6}, kPi}};

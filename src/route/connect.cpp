@@ -14,8 +14,10 @@ namespace selion {
 namespace {
 
 constexpr double kCostStep_m = 3;
-constexpr double kShortRun = 5;   // radii: so far backwards is part of a turn
-constexpr double kBackwards = 4;  // extra cost of a metre backwards beyond that: it is driven without a view
+constexpr double kShortRun = 5;    // radii: so far backwards is part of a turn
+constexpr double kLongRun = 9;     // radii, or
+constexpr double kLongRun_m = 20;  // where those are less: farther backwards leads no turn
+constexpr double kBackwards = 4;   // extra cost of a metre backwards beyond that: it is driven without a view
 
 constexpr double kMiss = 1e-7;  // m, rad: a tenth of what joints may miss
 
@@ -77,6 +79,17 @@ double standing_m(const Terrain& terrain, const Stretch& last, const Stretch& st
   return rest_s * machine.turn_speed_mps + (stops ? stop_m(machine, machine.turn_speed_mps) : 0);
 }
 
+/// The longest run backwards, without a break.
+double longest_back_m(const Path& path) {
+  double longest = 0;
+  double run = 0;
+  for (const Stretch& stretch : path) {
+    run = stretch.gear == Gear::reverse ? run + stretch.curve.length_m : 0;
+    longest = std::max(longest, run);
+  }
+  return longest;
+}
+
 /// No turn with a stop on its way takes less: what does not pivot has to drive round to the other heading.
 double least_with_stop_s(const Terrain& terrain, const Pose& from, const Pose& to) {
   const Machine& machine = terrain.machine;
@@ -90,12 +103,15 @@ double least_with_stop_s(const Terrain& terrain, const Pose& from, const Pose& t
 /// The fastest turn so far, and its seconds with those more by which its ground on the mainland is dearer.
 class Fastest {
  public:
-  Fastest(const Terrain& terrain, double longest_m) : terrain_{terrain}, longest_m_{longest_m} {}
+  Fastest(const Terrain& terrain, double longest_m)
+      : terrain_{terrain},
+        longest_m_{longest_m},
+        most_back_m_{std::max(kLongRun_m, kLongRun / terrain.limits.curvature_per_m)} {}
 
   /// Where it takes less time, however its ground on the mainland counts, and stays inside.
   void offer(const Path& turn) {
     constexpr double kNoFaster_s = 1e-6;
-    if (length_m(turn) > longest_m_) return;
+    if (length_m(turn) > longest_m_ || longest_back_m(turn) > most_back_m_) return;
     const double time_s = turn_time_s(turn, terrain_.machine);
     if (time_s >= time_s_ - kNoFaster_s) return;
     const double dear_s = time_s + dearer_s(turn);
@@ -124,6 +140,7 @@ class Fastest {
 
   const Terrain& terrain_;
   double longest_m_;
+  double most_back_m_;
   std::optional<Path> turn_;
   double time_s_ = std::numeric_limits<double>::infinity();
   double dear_s_ = std::numeric_limits<double>::infinity();

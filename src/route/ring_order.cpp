@@ -105,6 +105,11 @@ bool RingOrder::ends_group(std::size_t i) const {
   });
 }
 
+bool RingOrder::is_last_group() const {
+  return std::count_if(entries_.begin(), entries_.end(),
+                       [this](const Entry& entry) { return ready(entry); }) == 1;
+}
+
 std::vector<Point> RingOrder::next_places() const {
   std::vector<Point> places;
   for (const Entry& entry : entries_)

@@ -27,6 +27,8 @@ class RingOrder {
   void done(std::size_t i);
   /// Once i is done: is none that may be worked next beside it?
   [[nodiscard]] bool ends_group(std::size_t i) const;
+  /// May one only be worked next? Then all that are left come after it.
+  [[nodiscard]] bool is_last_group() const;
   /// Places on all passes that may be worked next.
   [[nodiscard]] std::vector<Point> next_places() const;
 

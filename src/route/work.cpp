@@ -214,6 +214,7 @@ void Work::work_rings(RingOrder order, const std::vector<Point>& at_last,
   std::vector<Task> failed;
   while (!order.empty()) {
     const auto here = driver_.here() ? std::optional{driver_.here()->at} : std::nullopt;
+    ends_near_ = order.is_last_group() ? last_near : std::nullopt;
     const std::size_t next = order.nearest(here, last_near);
     order.done(next);
     if (order.empty())
@@ -226,17 +227,37 @@ void Work::work_rings(RingOrder order, const std::vector<Point>& at_last,
   work_nearest(std::move(failed));
 }
 
-/// Where a ring with filled corners cannot be driven so, it is rounded.
+/// The machine has to come to the gate anyway: it does before the passes there are worked, not over them.
 bool Work::work_pass(const HeadlandPass& pass) {
-  if (work_parts(pass)) return true;
-  const Task task = pass_task(pass);
-  return driver_.drive_to(task) || work_turned(pass) || drive_on_to(task);
+  if (work_round(pass)) return true;
+  if (std::exchange(ends_near_, std::nullopt) && work_round(pass)) return true;
+  return drive_on_to(pass_task(pass));
+}
+
+/// Where a ring with filled corners cannot be driven so, it is rounded.
+bool Work::work_round(const HeadlandPass& pass) {
+  return work_parts(pass) || driver_.drive_to(pass_task(pass)) || work_turned(pass);
+}
+
+/// Of a way round, which ends where it begins, those that begin near the gate.
+void Work::keep_near_gate(Task& task) const {
+  constexpr double kRadii = 6;  // for a change of lanes
+  constexpr double kWidths = 2;
+  if (!ends_near_) return;
+  const auto off_m = [this](const Way& way) { return distance_m(way.start.at, *ends_near_); };
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const Way& way : task.ways) least_m = std::min(least_m, off_m(way));
+  const double most_m = least_m + kRadii / driver_.terrain().limits.curvature_per_m +
+                        kWidths * driver_.machine().working_width_m;
+  std::erase_if(task.ways, [&](const Way& way) { return off_m(way) > most_m; });
 }
 
 /// Begun on a side, part by part round to where it was begun.
 bool Work::work_parts(const HeadlandPass& pass) {
   if (pass.parts.empty()) return false;
-  if (!driver_.drive_to(cut_ring_task(driver_.terrain(), pass, driver_.here(), then_to_))) return false;
+  Task task = cut_ring_task(driver_.terrain(), pass, driver_.here(), then_to_);
+  keep_near_gate(task);
+  if (!driver_.drive_to(task)) return false;
   const auto begun = place_on(pass, start_pose(driver_.driven().back().path));
   if (!begun) return true;
   const std::size_t count = pass.parts.size();
@@ -276,13 +297,16 @@ Task Work::pass_task(const HeadlandPass& pass) const {
   Task task = closed_pass_task(terrain, pass, driver_.here(), Round::as_laid, then_to_);
   if (either_way_round_)
     add_ways(task, closed_pass_task(terrain, pass, driver_.here(), Round::turned, then_to_), driver_.here());
+  keep_near_gate(task);
   return task;
 }
 
 /// The other way round, where that has not been tried with the first.
 bool Work::work_turned(const HeadlandPass& pass) {
   if (!pass.closed || either_way_round_) return false;
-  return driver_.drive_to(closed_pass_task(driver_.terrain(), pass, driver_.here(), Round::turned, then_to_));
+  Task task = closed_pass_task(driver_.terrain(), pass, driver_.here(), Round::turned, then_to_);
+  keep_near_gate(task);
+  return driver_.drive_to(task);
 }
 
 std::vector<std::string> Work::left() const {

@@ -50,6 +50,8 @@ class Work {
   [[nodiscard]] bool split_all(std::vector<Task>& tasks) const;
   void work_rings(RingOrder order, const std::vector<Point>& at_last, const std::optional<Point>& last_near);
   bool work_pass(const HeadlandPass& pass);
+  bool work_round(const HeadlandPass& pass);
+  void keep_near_gate(Task& task) const;
   bool work_parts(const HeadlandPass& pass);
   [[nodiscard]] Task pass_task(const HeadlandPass& pass) const;
   bool work_turned(const HeadlandPass& pass);
@@ -60,6 +62,7 @@ class Work {
   bool either_way_round_;  ///< may every closed pass be driven both ways round?
   std::vector<Point>
       then_to_;  ///< where the machine goes after the ring being worked; empty: to the next ring
+  std::optional<Point> ends_near_;  ///< the gate, once the passes lead out to it
   std::vector<Task> put_off_;
   std::vector<std::string> dead_ends_;  ///< ids of what was taken back
 };
