@@ -392,3 +392,25 @@ TEST_CASE("a plan of ours is not taken for fields", "[field]") {
   CHECK(mentions(error_of([&] { read_stdin(plan); }), "is a plan, not a field"));
   CHECK(read_stdin(collection({feature(kSquare, R"({"selion": "field"})")})).size() == 1);
 }
+
+TEST_CASE("of a field that is there many times ten others are named", "[field][read]") {
+  constexpr int kTimes = 14;
+  std::string features;
+  for (int i = 0; i < kTimes; ++i)
+    features += std::string{i == 0 ? "" : ","} +
+                R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":)"
+                R"([[[9,56],[9.001,56],[9.001,56.001],[9,56.001],[9,56]]]}})";
+  const TemporaryFile file{"twins.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}"};
+
+  const std::vector<Field> fields = read_file(file.path());
+
+  REQUIRE(fields.size() == kTimes);
+  const auto named = [](const Field& field) {
+    return std::count_if(field.notes.begin(), field.notes.end(),
+                         [](const std::string& note) { return mentions(note, "has the same boundary"); });
+  };
+  CHECK(named(fields[3]) == 3);
+  CHECK(named(fields.back()) == 10);
+  CHECK_FALSE(any_mentions(fields[10].notes, "overlaps other features too"));
+  CHECK(any_mentions(fields[11].notes, "overlaps other features too"));
+}

@@ -36,6 +36,7 @@ TEST_CASE("a broken plan file is refused with its place", "[planfile][errors]") 
       {"\"selion\": {", "\"other\": {", {"no plan", "\"selion\" is missing", "selion plan"}},
       {"\"format\": 1", "\"format\": 2", {"\"selion.format\"", "is 2", "reads format 1"}},
       {"\"format\": 1", "\"format\": \"1\"", {"\"selion.format\"", "whole number", "string"}},
+      {"0123456789abcdef", "hello", {"\"selion.id\"", "16 hexadecimal digits"}},
       {"\"version\": \"0.1.0\"", "\"version\": null", {"\"selion.version\"", "must be a string", "null"}},
       {"\"origin\": [3.409400000, 46.336700000]",
        "\"origin\": [46.3, 123.4]",

@@ -137,6 +137,7 @@ TEST_CASE("a ring so thin that rounding turns it over is written the same again"
 
 TEST_CASE("a plan of no features is a plan", "[planfile][round_trip]") {
   PlanFile plan;
+  plan.id = "0123456789abcdef";
   plan.job_json = "{}";
   CHECK(read(to_geojson(plan)) == plan);
 }

@@ -229,6 +229,20 @@ TEST_CASE("an obstacle is of the kind that it has in the owner's file", "[verify
   CHECK_THAT(codes(with("obstacle"), collection_of({field})), Catch::Contains("the owner has none there"));
 }
 
+TEST_CASE("an obstacle is called as in the owner's file, and is there once", "[verify]") {
+  const auto with = [&](const std::string& name) {
+    return collection_of(
+        {feature_of({{field_ring(), {}}}, kField),
+         feature_of({{box(30, 20, 40, 30), {}}}, R"({"selion":"obstacle","name":")" + name + R"("})")});
+  };
+  CHECK(codes(with("pole")) == "");
+  CHECK_THAT(codes(with("pole"), with("pond")), Catch::Contains("'pole'; the owner's is obstacle, 'pond'"));
+  const TemporaryFile owned{"owned.geojson", with("pole")};
+  PlanFile plan = written(read_file(owned.path()).at(0), "", Repair::accept);
+  plan.obstacles.push_back(plan.obstacles.front());
+  CHECK_THAT(text_of(verify(plan, GivenField{.file = owned.path()})), Catch::Contains("more than once"));
+}
+
 TEST_CASE("a gate nearer to an obstacle than to the border is at the border", "[verify]") {
   const std::string field = feature_of({{field_ring(), {}}}, kField);
   const std::string gate = feature_of(Point{40, 2}, R"({"selion":"gate","name":"N"})");

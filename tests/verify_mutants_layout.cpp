@@ -68,6 +68,31 @@ bool swath_as_pass(PlanFile& plan, Dice& dice) {
   return true;
 }
 
+bool name_a_turn(PlanFile& plan, Dice& dice) {
+  std::vector<PieceRecord>& pieces = plan.trajectories.front().pieces;
+  PieceRecord& piece = pieces[dice.pick(pieces.size())];
+  if (piece.tool == 1 || plan.swaths.empty()) return false;
+  piece.ref = plan.swaths.front().id;
+  return true;
+}
+
+/// A square of the headland, or of a cell, that neither has then.
+bool hole_in(std::vector<LonLatArea>& parts, Dice& dice) {
+  LonLatArea& part = parts[dice.pick(parts.size())];
+  LonLat at;
+  for (const LonLat p : part.shell) {
+    at.lon_deg += p.lon_deg / static_cast<double>(part.shell.size());
+    at.lat_deg += p.lat_deg / static_cast<double>(part.shell.size());
+  }
+  const double north = dice.between(0.5, 1) / 111320;
+  const double east = north / std::cos(at.lat_deg * 0.017453292519943295);
+  part.holes.push_back({{at.lon_deg - east, at.lat_deg - north},
+                        {at.lon_deg - east, at.lat_deg + north},
+                        {at.lon_deg + east, at.lat_deg + north},
+                        {at.lon_deg + east, at.lat_deg - north}});
+  return true;
+}
+
 bool drive_swath_as_pass(PlanFile& plan, Dice& dice) {
   const SwathRecord swath = plan.swaths[dice.pick(plan.swaths.size())];
   rename_pieces(plan, swath, "headland_pass", swath.id);
@@ -191,6 +216,12 @@ const std::vector<Mutation>& of_layout() {
       {"rename a cell", {"cell"}, to_one(&P::cells, [](auto& c, Dice&) { c.id += "x"; })},
       {"drop the cells", {"cell", "headland"}, without(&P::cells)},
       {"a cell under two names", {"headland"}, cell_twice},
+      {"a hole in a cell",
+       {"headland"},
+       [](PlanFile& plan, Dice& dice) {
+         return !plan.cells.empty() && hole_in(plan.cells[dice.pick(plan.cells.size())].parts, dice);
+       }},
+      {"a turn that names a swath", {"line_kind"}, name_a_turn},
       {"move a cell",
        {"headland"},
        to_one(&P::cells,

@@ -214,13 +214,21 @@ class Cleaner {
   }
 
   void check_overlapping_parts() {
-    Polygons earlier;
+    std::vector<std::pair<Box, const Polygon*>> earlier;
     for (std::size_t part = 0; part < part_areas_.size(); ++part) {
-      if (const Polygons twice = intersect(part_areas_[part], earlier); !is_sliver(twice))
+      const std::size_t before = earlier.size();
+      Polygons near;  // of the earlier ones
+      for (const Polygon& area : part_areas_[part]) {
+        const Box box = bounds(area.shell);
+        for (std::size_t i = 0; i < before; ++i)
+          if (meet(box, earlier[i].first)) near.push_back(*earlier[i].second);
+        earlier.emplace_back(box, &area);
+      }
+      if (near.empty()) continue;
+      if (const Polygons twice = intersect(part_areas_[part], near); !is_sliver(twice))
         refuse(", part " + std::to_string(part + 1) + " shares " + square_metres(area_m2(twice)) +
-                   " with an earlier part" + near(twice.front().shell.front()),
+                   " with an earlier part" + this->near(twice.front().shell.front()),
                "correct the parts", "they are united");
-      earlier.insert(earlier.end(), part_areas_[part].begin(), part_areas_[part].end());
     }
   }
 

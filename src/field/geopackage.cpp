@@ -28,15 +28,23 @@ struct DestroyGeometry {
 };
 using Geometry = std::unique_ptr<std::remove_pointer_t<OGRGeometryH>, DestroyGeometry>;
 
-/// While it lives, GDAL stamps what this thread writes with one day, always the same.
-class NoDate {
- public:
-  NoDate() { SELION_GDAL(CPLSetThreadLocalConfigOption)("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z"); }
-  NoDate(const NoDate&) = delete;
-  NoDate& operator=(const NoDate&) = delete;
-  NoDate(NoDate&&) = delete;
-  NoDate& operator=(NoDate&&) = delete;
-  ~NoDate() { SELION_GDAL(CPLSetThreadLocalConfigOption)("OGR_CURRENT_DATE", nullptr); }
+/// The same bytes whatever the day and the environment's settings are.
+struct SameBytes {
+  static constexpr std::array<std::array<const char*, 2>, 3> kSettings{
+      {{"OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z"},
+       {"OGR_SQLITE_JOURNAL", "DELETE"},
+       {"OGR_SQLITE_PRAGMA", ""}}};
+
+  SameBytes() {
+    for (const auto& [name, value] : kSettings) SELION_GDAL(CPLSetThreadLocalConfigOption)(name, value);
+  }
+  SameBytes(const SameBytes&) = delete;
+  SameBytes(SameBytes&&) = delete;
+  SameBytes& operator=(const SameBytes&) = delete;
+  SameBytes& operator=(SameBytes&&) = delete;
+  ~SameBytes() {
+    for (const auto& setting : kSettings) SELION_GDAL(CPLSetThreadLocalConfigOption)(setting[0], nullptr);
+  }
 };
 
 OGRFieldType type_of(ColumnType type) {
@@ -96,7 +104,7 @@ GeoPackageTable::GeoPackageTable(const std::filesystem::path& file, const std::s
                                  const std::vector<TableColumn>& columns)
     : state_{std::make_unique<State>()} {
   const GdalMessages messages;
-  const NoDate no_date;
+  const SameBytes same_bytes;
   State& state = *state_;
   state.file = file.string();
   SELION_GDAL(GDALAllRegister)();
@@ -128,7 +136,7 @@ GeoPackageTable::~GeoPackageTable() {
 void GeoPackageTable::add(long long id, const std::vector<TableCell>& cells,
                           const std::vector<LonLatPolygon>& area) {
   const GdalMessages messages;
-  const NoDate no_date;
+  const SameBytes same_bytes;
   const std::unique_ptr<void, DestroyFeature> feature{
       SELION_GDAL(OGR_F_Create)(SELION_GDAL(OGR_L_GetLayerDefn)(state_->layer))};
   SELION_GDAL(OGR_F_SetFID)(feature.get(), id);
@@ -139,7 +147,7 @@ void GeoPackageTable::add(long long id, const std::vector<TableCell>& cells,
 
 void GeoPackageTable::close() {
   const GdalMessages messages;
-  const NoDate no_date;
+  const SameBytes same_bytes;
   SELION_GDAL(GDALDatasetCommitTransaction)(state_->dataset);
   SELION_GDAL(GDALClose)(std::exchange(state_->dataset, nullptr));
   state_->must(true, messages);

@@ -26,11 +26,21 @@ struct Overlap {
   }
 };
 
-/// In order of the later one, then of the earlier one.
+/// In order of the later one, then of the earlier one; of each later one a thousand at most.
 std::vector<Overlap> overlaps_of(const std::vector<FieldExtent>& extents);
 
-/// A note on `later` where it is the same as `earlier`, or overlaps it by more than 1 % and a metre's width.
-void note_neighbour(const Field& earlier, Field& later);
+/// Notes on one field where it is the same as earlier ones, or overlaps them by more than 1 % and a metre's
+/// width: ten, then that there are others.
+class NeighbourNotes {
+ public:
+  explicit NeighbourNotes(Field& field) : field_{field} {}
+  /// False once enough is told.
+  bool compare_with(const Field& earlier);
+
+ private:
+  Field& field_;
+  int told_ = 0;
+};
 
 /// Those of all fields of a file.
 void note_neighbours(std::vector<Field>& fields);

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <set>
 #include <span>
+#include <string>
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
@@ -46,11 +48,44 @@ struct Close {
 
 using Dataset = std::unique_ptr<void, Close>;
 
+struct Destroy {
+  void operator()(void* feature) const { SELION_GDAL(OGR_F_Destroy)(static_cast<OGRFeatureH>(feature)); }
+};
+
+/// Names of the views of a database, in lower case.
+std::set<std::string> stored_queries(const Dataset& dataset) {
+  OGRLayerH found = SELION_GDAL(GDALDatasetExecuteSQL)(
+      dataset.get(), "SELECT lower(name) FROM sqlite_master WHERE type = 'view'", nullptr, nullptr);
+  std::set<std::string> names;
+  if (found == nullptr) return names;
+  while (const std::unique_ptr<void, Destroy> row{SELION_GDAL(OGR_L_GetNextFeature)(found)})
+    names.insert(SELION_GDAL(OGR_F_GetFieldAsString)(static_cast<OGRFeatureH>(row.get()), 0));
+  SELION_GDAL(GDALDatasetReleaseResultSet)(dataset.get(), found);
+  return names;
+}
+
+/// Nobody can say how long a query runs, or whether it ends.
+void refuse_stored_queries(const Dataset& dataset, const std::string& label) {
+  const std::string_view driver =
+      SELION_GDAL(GDALGetDriverShortName)(SELION_GDAL(GDALGetDatasetDriver)(dataset.get()));
+  if (driver != "GPKG" && driver != "SQLite") return;
+  const std::set<std::string> queries = stored_queries(dataset);
+  for (int i = 0; i < SELION_GDAL(GDALDatasetGetLayerCount)(dataset.get()); ++i) {
+    const std::string name = SELION_GDAL(OGR_L_GetName)(SELION_GDAL(GDALDatasetGetLayer)(dataset.get(), i));
+    if (queries.contains(lower(name)))
+      throw InputError{label + ": layer '" + name +
+                       "' is a stored query (a view), not a table; export the fields to a file of their own"};
+  }
+}
+
 Dataset opened(const std::string& path, const std::string& label, const GdalMessages& messages) {
   Dataset dataset{SELION_GDAL(GDALOpenEx)(path.c_str(),
                                           GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                           gdal_drivers(), nullptr, nullptr)};
-  if (dataset) return dataset;
+  if (dataset) {
+    refuse_stored_queries(dataset, label);
+    return dataset;
+  }
   const bool unknown =
       !messages.failures.empty() &&
       messages.failures.front().find("not recognized as a supported file format") != std::string::npos;

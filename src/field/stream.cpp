@@ -158,9 +158,11 @@ struct FieldStream::State {
     Field field = field_of(*current, source_of(fields[at]), name, read_options);
     attach(extras, field);
     const auto index = static_cast<std::uint32_t>(at);
+    NeighbourNotes notes{field};
     for (auto overlap = std::lower_bound(overlaps.begin(), overlaps.end(), Overlap{index, 0});
          overlap != overlaps.end() && overlap->later == index; ++overlap)
-      if (const Field* other = earlier(overlap->earlier)) note_neighbour(*other, field);
+      if (const Field* other = earlier(overlap->earlier); other != nullptr && !notes.compare_with(*other))
+        break;
     if (at == first) field.notes.insert(field.notes.begin(), reading.notes.begin(), reading.notes.end());
     nearby.add(index, field);
     return field;

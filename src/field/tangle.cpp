@@ -58,11 +58,7 @@ bool NearEdges::within(std::size_t level, std::size_t i, const Visit& visit) con
 }
 
 bool NearEdges::between(std::size_t level, std::size_t i, std::size_t k, const Visit& visit) const {
-  const Box& one = levels_[level][i];
-  const Box& other = levels_[level][k];
-  if (one.low.x_m > other.high.x_m || other.low.x_m > one.high.x_m || one.low.y_m > other.high.y_m ||
-      other.low.y_m > one.high.y_m)
-    return true;
+  if (!meet(levels_[level][i], levels_[level][k])) return true;
   if (level == 0) return visit(i, k);
   for (std::size_t a = i * kTogether; a < end_of(level, i); ++a)
     for (std::size_t b = k * kTogether; b < end_of(level, k); ++b)

@@ -23,10 +23,6 @@ class NearEdges {
   [[nodiscard]] bool each_pair(const Visit& visit) const;
 
  private:
-  struct Box {
-    Point low;
-    Point high;
-  };
   [[nodiscard]] bool within(std::size_t level, std::size_t i, const Visit& visit) const;
   [[nodiscard]] bool between(std::size_t level, std::size_t i, std::size_t k, const Visit& visit) const;
   [[nodiscard]] std::size_t end_of(std::size_t level, std::size_t i) const;

@@ -114,4 +114,9 @@ Box bounds(const Ring& ring) {
   return box;
 }
 
+bool meet(const Box& a, const Box& b) {
+  return a.low.x_m <= b.high.x_m && b.low.x_m <= a.high.x_m && a.low.y_m <= b.high.y_m &&
+         b.low.y_m <= a.high.y_m;
+}
+
 }  // namespace selion

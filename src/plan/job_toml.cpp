@@ -17,7 +17,25 @@ std::string place(const std::string& where, const toml::source_region& source) {
   return where + ":" + std::to_string(source.begin.line) + ":" + std::to_string(source.begin.column);
 }
 
+/// toml++ follows the parts of a key one inside the other, however many there are.
+void refuse_endless_keys(std::string_view text, const std::string& where) {
+  constexpr int kMostParts = 100;
+  constexpr std::string_view kEnds = "\n=,[]{}";
+  int parts = 1;
+  int line = 1;
+  char before = '\n';
+  for (const char c : text) {
+    if (c == '\n') ++line;
+    if (kEnds.find(c) != std::string_view::npos || (c == '.' && before == '.')) parts = 1;  // "..": in words
+    before = c;
+    if (c == '.' && ++parts > kMostParts)
+      throw InputError{where + ":" + std::to_string(line) + ": a key of more than " +
+                       std::to_string(kMostParts) + " parts"};
+  }
+}
+
 toml::table parsed(std::string_view text, const std::string& where) {
+  refuse_endless_keys(text, where);
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -152,6 +152,8 @@ void read_header(const JsonNode& root, std::string_view raw, PlanFile& plan) {
   }
   plan.version = header->at("version").text();
   plan.id = header->at("id").text();
+  if (plan.id.size() != 16 || plan.id.find_first_not_of("0123456789abcdef") != std::string::npos)
+    header->at("id").fail("must be 16 hexadecimal digits");
   plan.proj = header->at("frame").at("proj").text();
   check(header->at("frame").at("proj"), problem_of_frame(plan.proj));
   plan.origin = header->at("frame").at("origin").position();

@@ -143,13 +143,18 @@ class AbCheck {
   }
 
   /// Strips are as far apart as tool and overlap say; but for the last one, which ends with the ground where
-  /// no AB line was given: then the first one's is the AB line, be it driven or not. Seen from one that is
-  /// given, and the shift, they lie at whole strips.
+  /// no AB line was given: then the first one's is the AB line, or that of one before it which is not driven.
+  /// Seen from one that is given, and the shift, they lie at whole strips.
   void spacing(const std::map<int, double>& strips) {
     const Work& work = plan_.vehicle.work;
     const bool given = !work.ab.empty();
     if (strips.empty()) return;
-    std::pair<int, double> from{1, given ? work.ab_shift_m : 0};  // of what the next strip is seen from
+    const double step = plan_.vehicle.machine.working_width_m - work.overlap_m;
+    const auto [first, first_aside] = *strips.begin();
+    const int steps =
+        static_cast<int>(std::clamp(std::round(first_aside / step), 0.0, std::max(0.0, first - 1.0)));
+    std::pair<int, double> from{first - steps, 0};  // of what the next strip is seen from
+    if (given) from = {1, work.ab_shift_m};
     for (const auto& [number, aside] : strips) {
       const bool may_overlap = !given && number > from.first && number == strips.rbegin()->first;
       apart(from, {number, aside}, may_overlap);

@@ -102,6 +102,10 @@ Shape left_out(const Case& plan, const OwnerGround& owned, const Shape& planned,
 
 }  // namespace
 
+bool is_name(const std::string& owned, const std::string& planned) {
+  return owned == planned || std::ranges::any_of(owned, [](unsigned char c) { return c > 127; });
+}
+
 void check_given(Case& plan, const GivenField& given) {
   const std::vector<OwnerFeature> features = read_owner_file(given);
   const Shape planned = planned_ground(plan);

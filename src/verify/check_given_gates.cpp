@@ -34,11 +34,6 @@ std::string text_of(const std::string& name, const std::optional<double>& width_
          (width_m ? ", " + shown(*width_m, 2) + " m wide" : ", of no known width");
 }
 
-/// Names that are not ASCII may be in another encoding in the owner's file.
-bool is_name(const std::string& owned, const std::string& planned) {
-  return owned == planned || std::ranges::any_of(owned, [](unsigned char c) { return c > 127; });
-}
-
 bool is_width(const std::optional<double>& owned, const std::optional<double>& planned) {
   return owned.has_value() == planned.has_value() &&
          std::abs(owned.value_or(0) - planned.value_or(0)) <= kWidth_m;

@@ -18,6 +18,8 @@ constexpr double kMostStray = 0.4;
 constexpr double kNextRing = 0.7;  // widths farther in than a ring
 constexpr double kLong = 8;        // widths
 constexpr double kLongRing_m = 100;
+constexpr double kRounding_m = 1e-3;  // of ground along its border
+constexpr double kRounding_m2 = 0.1;
 constexpr double kStep_m = 2;        // from place to place of a line
 constexpr double kMostPlaces = 200;  // of it
 
@@ -84,11 +86,14 @@ class HeadlandCheck {
     const Shape& cells = cells_ = shape_of(plan_.plane, parts);
     const Shape band = shape_of(plan_.plane, headland_.parts);
     const Shape both = united({band, cells});
-    const double slack = 0.1 + 1e-3 * (perimeter_m(band) + perimeter_m(cells));
+    const double slack = kRounding_m2 + kRounding_m * (perimeter_m(band) + perimeter_m(cells));
     const double both_m2 = area_m2(both);
     const double in_block_m2 = area_m2(common(ground_.area, both));
     const auto tell = [&](double area, const std::string& what, const std::function<Shape()>& where) {
-      if (area > slack) say({area, slack}, shown(area, 1) + " m2 " + what, place_in(where()));
+      if (area <= kRounding_m2) return;
+      for (const Shape& part : parts_of(where()))
+        if (const double most = kRounding_m2 + kRounding_m * perimeter_m(part); area_m2(part) > most)
+          return say({area_m2(part), most}, shown(area_m2(part), 1) + " m2 " + what, place_in(part));
     };
     tell(area_m2(band) + area_m2(cells) - both_m2, "are said to be headland and cell",
          [&] { return common(band, cells); });

@@ -41,6 +41,9 @@ void add_kinds(Case& plan, Kinds& kinds, const std::vector<Record>& records, con
 void check_driven(Case& plan, const Driven& driven, const Kinds& kinds) {
   for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
     const PieceRecord& piece = driven.pieces[i].record();
+    if (piece.tool == 0 && !piece.ref.empty())
+      plan.findings.add("line_kind", driven.record->block, driven.pieces[i].spot(0).at, {},
+                        piece_name(driven, i) + " works nothing, and is said to be of line " + piece.ref);
     const auto line = kinds.find({driven.record->block, piece.ref});
     if (piece.tool != 1 || line == kinds.end() || line->second == piece.kind) continue;
     plan.findings.add("line_kind", driven.record->block, driven.pieces[i].spot(0).at, {},

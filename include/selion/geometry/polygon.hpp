@@ -43,5 +43,7 @@ struct Box {
 };
 /// @pre at least one corner.
 Box bounds(const Ring& ring);
+/// Do they overlap, or touch?
+bool meet(const Box& a, const Box& b);
 
 }  // namespace selion
