@@ -161,6 +161,7 @@ TEST_CASE("coordinate text is read with any separator, header and hemisphere", "
     CAPTURE(text);
     CHECK(corners(text, {}) == expected);
   }
+  CHECK(corners("lon,lat,alt,n\n9,56,1,1\n9.5,56.25,1,1\n9.75,56.25,1,1\n", {}).front() == LonLat{9, 56});
   ReadOptions latitude_first;
   latitude_first.axis = AxisOrder::latlon;
   CHECK(corners("56.25 9.5\n56.25 9.75\n56.5 9.75\n", latitude_first) == expected);
@@ -202,6 +203,7 @@ TEST_CASE("what is wrong in GeoJSON is named by feature, ring and coordinate", "
   CHECK(mentions(error(feature(third, "{}")), "ring 1, coordinate 3"));
   CHECK(mentions(error("{\"type\":\n\"Polygon\",\n\"coordinates\":[[[1e999,2]]]}"), "line 3"));
   CHECK(mentions(error(R"({"type":"Polygon","coordinates":[[[1,2],[)"), "ends early"));
+  CHECK(mentions(error(R"({"type":"feature","geometry":null})"), "'feature' is no type of GeoJSON"));
   CHECK(mentions(error(std::string{R"({"type":"Polygon","coordinates":[]})"} + '\0' + "{"),
                  "line 1, byte 36: a NUL"));
   CHECK(mentions(error(R"({"type":"Blob","coordinates":[]})"), "'Blob'"));

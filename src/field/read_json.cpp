@@ -97,6 +97,9 @@ class Geometry {
       for (const Json& one : array(geometry, "geometries")) read(one);
       return;
     }
+    constexpr std::array<std::string_view, 6> kTypes{"Polygon",    "MultiPolygon", "Point",
+                                                     "MultiPoint", "LineString",   "MultiLineString"};
+    if (std::ranges::find(kTypes, type) == kTypes.end()) fail("'" + type + "' is no type of GeoJSON");
     const Json& coordinates = array(geometry, "coordinates");
     if (type == "Polygon")
       polygon(coordinates);
@@ -108,10 +111,8 @@ class Geometry {
       for (const Json& one : coordinates) into_.points.push_back(position(one, ""));
     else if (type == "LineString")
       into_.lines.push_back(positions(coordinates, ""));
-    else if (type == "MultiLineString")
-      for (const Json& one : coordinates) into_.lines.push_back(positions(one, ""));
     else
-      fail("'" + type + "' is no geometry type of GeoJSON");
+      for (const Json& one : coordinates) into_.lines.push_back(positions(one, ""));
   }
 
  private:

@@ -167,7 +167,7 @@ class TextReader {
 
   bool take_header(const std::vector<std::string_view>& tokens) {
     const auto found = header(tokens);
-    if (found) columns_ = *found;
+    if (found) columns_ = *found, named_ = tokens.size();
     return found.has_value();
   }
 
@@ -176,10 +176,10 @@ class TextReader {
       fail(
           "two numbers are needed, longitude and latitude in decimal degrees, such as '9.8876350, "
           "56.4645152'");
-    const bool decimal_commas =
-        tokens.size() == 4 && std::all_of(tokens.begin(), tokens.end(), [](std::string_view token) {
-          return token.find_first_not_of("0123456789-+") == std::string_view::npos;
-        });
+    const bool decimal_commas = tokens.size() == 4 && named_ != tokens.size() &&
+                                std::all_of(tokens.begin(), tokens.end(), [](std::string_view token) {
+                                  return token.find_first_not_of("0123456789-+") == std::string_view::npos;
+                                });
     if (decimal_commas) fail("decimal commas need semicolons or tabs between the numbers");
     auto lon = number(tokens[columns_.lon]);
     auto lat = number(tokens[columns_.lat]);
@@ -210,6 +210,7 @@ class TextReader {
   std::string label_;
   bool degrees_;
   Columns columns_;
+  std::size_t named_ = 0;  // columns, by a header
   int number_ = 0;
   bool seen_data_ = false;
   RawRing ring_;

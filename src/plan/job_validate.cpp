@@ -70,7 +70,7 @@ void check_texts(const Job& job) {
     throw InputError{"frame.crs = '" + job.frame.crs + "' is neither 'auto' nor a code such as 'EPSG:2154'"};
   if (!job.route.start.empty() && (!is_number_after(job.route.start, "gate:") || job.route.start == "gate:0"))
     throw InputError{"route.start = '" + job.route.start +
-                     "' is no gate: write 'gate:1' for the first one, or leave it empty"};
+                     "' is no gate: gates go by number, write 'gate:1' for the first one, or leave it empty"};
 }
 
 }  // namespace
