@@ -115,15 +115,18 @@ TEST_CASE("the turns of a way over the roads are the fastest, whichever was foun
   CHECK(faster > 0);
 }
 
-TEST_CASE("no turn leads far backwards, where it would take less time", "[route]") {
-  const Ground ground{Polygon{{{-300, -60}, {60, -60}, {60, 60}, {-300, 60}}, {}}};
+TEST_CASE("no turn leads far backwards over the mainland, where it would take less time", "[route]") {
+  const Polygon area{{{-300, -60}, {60, -60}, {60, 60}, {-300, 60}}, {}};
+  Ground ground{area};
   const double radius_m = 1 / ground.limits.curvature_per_m;
-  for (const double back_m : {4 * radius_m, 100.0, 250.0}) {
-    CAPTURE(back_m);
-    const auto turn = direct_turn(ground.terrain, ground.terrain.swings, {}, {{-back_m, 0.5}, 0}, 1000);
-    REQUIRE(turn);
-    CHECK(reverses(*turn) == (back_m < 100));
-  }
+  for (const bool over_mainland : {false, true})
+    for (const double back_m : {4 * radius_m, 100.0, 250.0}) {
+      CAPTURE(over_mainland, back_m);
+      ground.mainland = AreaIndex{over_mainland ? std::vector{area} : std::vector<Polygon>{}};
+      const auto turn = direct_turn(ground.terrain, ground.terrain.swings, {}, {{-back_m, 0.5}, 0}, 1000);
+      REQUIRE(turn);
+      CHECK(reverses(*turn) == (back_m < 100 || !over_mainland));
+    }
 }
 
 TEST_CASE("what one search has learned of the ground leads the next one nowhere else", "[route]") {

@@ -16,7 +16,7 @@ namespace {
 constexpr double kCostStep_m = 3;
 constexpr double kShortRun = 5;    // radii: so far backwards is part of a turn
 constexpr double kLongRun = 9;     // radii, or
-constexpr double kLongRun_m = 20;  // where those are less: farther backwards leads no turn
+constexpr double kLongRun_m = 20;  // where those are less: so far backwards leads no turn over the mainland
 constexpr double kBackwards = 4;   // extra cost of a metre backwards beyond that: it is driven without a view
 
 constexpr double kMiss = 1e-7;  // m, rad: a tenth of what joints may miss
@@ -111,10 +111,12 @@ class Fastest {
   /// Where it takes less time, however its ground on the mainland counts, and stays inside.
   void offer(const Path& turn) {
     constexpr double kNoFaster_s = 1e-6;
-    if (length_m(turn) > longest_m_ || longest_back_m(turn) > most_back_m_) return;
+    if (length_m(turn) > longest_m_) return;
     const double time_s = turn_time_s(turn, terrain_.machine);
     if (time_s >= time_s_ - kNoFaster_s) return;
-    const double dear_s = time_s + dearer_s(turn);
+    const double over_s = dearer_s(turn);
+    if (over_s > 0 && longest_back_m(turn) > most_back_m_) return;
+    const double dear_s = time_s + over_s;
     if (dear_s >= dear_s_ - kNoFaster_s || !stays_inside(terrain_.space, terrain_.footprint, turn)) return;
     keep(turn, time_s, dear_s);
   }
