@@ -73,8 +73,12 @@ void refuse_stored_queries(const Dataset& dataset, const std::string& label) {
   for (int i = 0; i < SELION_GDAL(GDALDatasetGetLayerCount)(dataset.get()); ++i) {
     const std::string name = SELION_GDAL(OGR_L_GetName)(SELION_GDAL(GDALDatasetGetLayer)(dataset.get(), i));
     if (queries.contains(lower(name)))
-      throw InputError{label + ": layer '" + name +
-                       "' is a stored query (a view), not a table; export the fields to a file of their own"};
+      throw InputError{
+          std::string{label}
+              .append(": layer '")
+              .append(name)
+              .append("' is a stored query (a view), not a table; export the fields to a file of "
+                      "their own")};
   }
 }
 

@@ -20,8 +20,8 @@ constexpr double kLong = 8;        // widths
 constexpr double kLongRing_m = 100;
 constexpr double kRounding_m = 1e-3;  // of ground along its border
 constexpr double kRounding_m2 = 0.1;
-constexpr double kStep_m = 2;        // from place to place of a line
-constexpr double kMostPlaces = 200;  // of it
+constexpr double kStep_m = 2;     // from place to place of a line
+constexpr int kMostPlaces = 200;  // of it
 
 Shape shape_of(const Plane& plane, const std::vector<LonLatArea>& parts) {
   std::vector<Shape> shapes;
@@ -125,26 +125,34 @@ class HeadlandCheck {
       if (pass.block != ground_.block) continue;
       rings.insert(pass.ring);
       const std::vector<Point> line = plan_.plane.to_local(pass.line);
-      if (pass.ring > headland_.passes)
-        say({1.0 * pass.ring, 1.0 * headland_.passes},
-            pass.id + " is said to be ring " + std::to_string(pass.ring) + " of a headland of " +
-                std::to_string(headland_.passes) + " passes",
-            line.front());
-      const double told = half_m() + (pass.ring - 1) * spacing_m();
       const double usual = usual_distance_m(line, around);
-      const double strays = length_m(line) < kLongRing_m ? strays_m(pass.ring) : 0;
-      if (!(usual >= told - spacing_m() / 2 - strays))
-        say({usual, told},
-            pass.id + " is said to be ring " + std::to_string(pass.ring) + ", " + shown(told, 1) +
-                " m or more from border and obstacles; it lies " + shown(usual, 1) + " m off",
-            line.front());
+      is_of_its_ring(pass, line, usual);
       keeps_margin(pass.id, line, is_bare ? usual : usual_distance_m(line, border));
       is_no_swath(pass, line);
-      farther_in = farther_in || usual >= told + kNextRing * spacing_m();
+      farther_in = farther_in || usual >= told_m(pass) + kNextRing * spacing_m();
     }
     for (int ring = 1; ring <= headland_.passes && farther_in; ++ring)
       if (!rings.contains(ring))
         return say({1.0 * ring, 0}, "no headland pass is of ring " + std::to_string(ring));
+  }
+
+  /// From border and obstacles, as its ring has it.
+  [[nodiscard]] double told_m(const HeadlandPassRecord& pass) const {
+    return half_m() + (pass.ring - 1) * spacing_m();
+  }
+
+  void is_of_its_ring(const HeadlandPassRecord& pass, const std::vector<Point>& line, double usual) {
+    const std::string ring = pass.id + " is said to be ring " + std::to_string(pass.ring);
+    if (pass.ring > headland_.passes)
+      say({1.0 * pass.ring, 1.0 * headland_.passes},
+          ring + " of a headland of " + std::to_string(headland_.passes) + " passes", line.front());
+    const double told = told_m(pass);
+    const double strays = length_m(line) < kLongRing_m ? strays_m(pass.ring) : 0;
+    if (!(usual >= told - spacing_m() / 2 - strays))
+      say({usual, told},
+          ring + ", " + shown(told, 1) + " m or more from border and obstacles; it lies " + shown(usual, 1) +
+              " m off",
+          line.front());
   }
 
   /// How much of the line from `a` lies beside swaths whose middle is nearer than half a width.
@@ -195,15 +203,19 @@ class HeadlandCheck {
 
   /// Of half of the line's places: it cuts corners and swings out round others. Past slits it leads far off.
   [[nodiscard]] static double usual_distance_m(const std::vector<Point>& points, const Prepared& border) {
-    const double step = std::max(kStep_m, length_m(points) / kMostPlaces);
-    std::vector<double> off{border.distance_m(std::array{points.front()})};
-    double to_next = step;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const double length = distance_m(points[i - 1], points[i]);
-      for (; to_next <= length; to_next += step)
-        off.push_back(
-            border.distance_m(std::array{points[i - 1] + (to_next / length) * (points[i] - points[i - 1])}));
-      to_next -= length;
+    const double length = length_m(points);
+    const int steps = std::min(kMostPlaces, 1 + static_cast<int>(length / kStep_m));
+    std::vector<double> off;
+    std::size_t i = 1;
+    double before = 0;  // the line's length as far as corner i - 1
+    for (int k = 0; k < steps; ++k) {
+      const double along = length * k / steps;
+      while (i + 1 < points.size() && before + distance_m(points[i - 1], points[i]) < along) {
+        before += distance_m(points[i - 1], points[i]);
+        ++i;
+      }
+      const Point on = points[i - 1] + (along - before) * unit(heading_rad(points[i] - points[i - 1]));
+      off.push_back(border.distance_m(std::array{on}));
     }
     const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
     std::ranges::nth_element(off, middle);
