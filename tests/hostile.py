@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Input that is made to crash a reader, or to keep it busy for ever, is refused at once and with a reason.
+"""Input that is made to crash a reader, or to keep it busy for ever, is refused at once and with a reason; settings of
+GDAL in the environment change no bytes.
 
     hostile.py SELION FIELD
 """
+import os
 import pathlib
 import sqlite3
 import subprocess
@@ -13,9 +15,10 @@ import tempfile
 HANGS_S = 60  # far more than any needs, sanitizers on a busy machine included
 
 
-def run(*arguments):
-    """Exit status and standard error."""
-    done = subprocess.run(arguments, capture_output=True, stdin=subprocess.DEVNULL, timeout=HANGS_S, check=False)
+def run(*arguments, **settings):
+    """Exit status and standard error, with further settings of the environment."""
+    done = subprocess.run(arguments, capture_output=True, stdin=subprocess.DEVNULL, timeout=HANGS_S, check=False,
+                          env=os.environ | settings)
     return done.returncode, done.stderr.decode("utf-8")
 
 
@@ -33,6 +36,12 @@ def endless_view(selion, field, folder):
         database.execute("INSERT INTO gpkg_geometry_columns VALUES('v', 'geom', 'MULTIPOLYGON', 4326, 0, 0)")
     database.close()
     return file
+
+
+def table_bytes(selion, field, folder, **settings):
+    """The GeoPackage that a batch writes."""
+    run(selion, "batch", field, "-o", folder, "-q", "--overwrite", **settings)
+    return (folder / "results.gpkg").read_bytes()
 
 
 def main():
@@ -53,6 +62,10 @@ def main():
             job = folder / f"{name}.toml"
             job.write_text(text, encoding="utf-8")
             expect(2, "a key of more than 100 parts", "plan", field, "-o", folder / "plan", "--job", job)
+        plain = table_bytes(selion, field, folder / "table")
+        for setting in ({"OGR_SQLITE_JOURNAL": "WAL"}, {"OGR_SQLITE_PRAGMA": "page_size=1024"}):
+            if table_bytes(selion, field, folder / "table", **setting) != plain:
+                faults.append(f"{setting} changes results.gpkg")
     print("\n".join(faults) or "hostile: all refused")
     return 1 if faults else 0
 

@@ -68,6 +68,22 @@ void score(const PlanFile& original, const Mutation& mutation, std::uint64_t see
 
 }  // namespace
 
+TEST_CASE("where the first strip is left out, the others lie at whole strips from its AB line", "[verify]") {
+  Field field = field_of_metres({{{{0, 0}, {200, 0}, {200, 100}, {0, 100}}, {}}});
+  const LonLat c = field.parts.front().shell.at(2);
+  const LonLat d = field.parts.front().shell.at(3);
+  field.gates.push_back(Gate{"north", {(c.lon_deg + d.lon_deg) / 2, (c.lat_deg + d.lat_deg) / 2}, {}});
+  PlanFile plan = written(field,
+                          "[machine]\npreset = \"tractor-6m\"\nmin_turn_radius_m = 0.5\nbody_width_m = 4\n"
+                          "[field]\nedge_margin_m = 0.05\n[headland]\npasses = 0\n");
+  REQUIRE(std::ranges::none_of(plan.swaths, [](const SwathRecord& swath) { return swath.id == "1"; }));
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+  AbRecord& ab = plan.ab_lines.front();
+  const double aside_deg = 1 / 111320.0;  // a metre, whichever way it runs
+  for (LonLat* end : {&ab.a, &ab.b}) end->lat_deg += aside_deg, end->lon_deg += aside_deg;
+  CHECK(text_of(verify(plan, std::nullopt)).find("swath_spacing") != std::string::npos);
+}
+
 TEST_CASE("every plan of ours passes the independent check", "[verify]") {
   const auto name =
       GENERATE("f1.geojson", "f6.geojson", "l_shape.geojson", "with_pond.geojson", "pole.geojson",

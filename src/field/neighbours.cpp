@@ -15,6 +15,9 @@
 namespace selion {
 namespace {
 
+constexpr std::uint16_t kMostOfEach = 1000;  // overlapping extents
+constexpr int kMostTold = 10;
+
 Polygons in_plane(const std::vector<LonLatPolygon>& parts, LonLat reference) {
   Polygons result;
   const auto ring = [&](const LonLatRing& corners) {
@@ -30,9 +33,6 @@ Polygons in_plane(const std::vector<LonLatPolygon>& parts, LonLat reference) {
   }
   return result;
 }
-
-constexpr std::uint16_t kMostOfEach = 1000;
-constexpr int kMostTold = 10;
 
 /// Empty where they do not overlap.
 std::string shared_ground(const Field& earlier, const Field& later) {

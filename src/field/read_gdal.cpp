@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -64,22 +65,24 @@ std::set<std::string> stored_queries(const Dataset& dataset) {
   return names;
 }
 
-/// Nobody can say how long a query runs, or whether it ends.
-void refuse_stored_queries(const Dataset& dataset, const std::string& label) {
+/// The first layer that is a view.
+std::optional<std::string> stored_query_in(const Dataset& dataset) {
   const std::string_view driver =
       SELION_GDAL(GDALGetDriverShortName)(SELION_GDAL(GDALGetDatasetDriver)(dataset.get()));
-  if (driver != "GPKG" && driver != "SQLite") return;
+  if (driver != "GPKG" && driver != "SQLite") return std::nullopt;
   const std::set<std::string> queries = stored_queries(dataset);
   for (int i = 0; i < SELION_GDAL(GDALDatasetGetLayerCount)(dataset.get()); ++i) {
-    const std::string name = SELION_GDAL(OGR_L_GetName)(SELION_GDAL(GDALDatasetGetLayer)(dataset.get(), i));
-    if (queries.contains(lower(name)))
-      throw InputError{
-          std::string{label}
-              .append(": layer '")
-              .append(name)
-              .append("' is a stored query (a view), not a table; export the fields to a file of "
-                      "their own")};
+    std::string name = SELION_GDAL(OGR_L_GetName)(SELION_GDAL(GDALDatasetGetLayer)(dataset.get(), i));
+    if (queries.contains(lower(name))) return name;
   }
+  return std::nullopt;
+}
+
+/// Nobody can say how long a query runs, or whether it ends.
+void refuse_stored_queries(const Dataset& dataset, const std::string& label) {
+  if (const auto name = stored_query_in(dataset))
+    throw InputError{label + ": layer '" + *name +
+                     "' is a stored query (a view), not a table; export the fields to a file of their own"};
 }
 
 Dataset opened(const std::string& path, const std::string& label, const GdalMessages& messages) {

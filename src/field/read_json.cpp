@@ -97,22 +97,21 @@ class Geometry {
       for (const Json& one : array(geometry, "geometries")) read(one);
       return;
     }
-    constexpr std::array<std::string_view, 6> kTypes{"Polygon",    "MultiPolygon", "Point",
-                                                     "MultiPoint", "LineString",   "MultiLineString"};
-    if (std::ranges::find(kTypes, type) == kTypes.end()) fail("'" + type + "' is no type of GeoJSON");
-    const Json& coordinates = array(geometry, "coordinates");
+    const auto coordinates = [&]() -> const Json& { return array(geometry, "coordinates"); };
     if (type == "Polygon")
-      polygon(coordinates);
+      polygon(coordinates());
     else if (type == "MultiPolygon")
-      for (const Json& one : coordinates) polygon(one);
+      for (const Json& one : coordinates()) polygon(one);
     else if (type == "Point")
-      into_.points.push_back(position(coordinates, ""));
+      into_.points.push_back(position(coordinates(), ""));
     else if (type == "MultiPoint")
-      for (const Json& one : coordinates) into_.points.push_back(position(one, ""));
+      for (const Json& one : coordinates()) into_.points.push_back(position(one, ""));
     else if (type == "LineString")
-      into_.lines.push_back(positions(coordinates, ""));
+      into_.lines.push_back(positions(coordinates(), ""));
+    else if (type == "MultiLineString")
+      for (const Json& one : coordinates()) into_.lines.push_back(positions(one, ""));
     else
-      for (const Json& one : coordinates) into_.lines.push_back(positions(one, ""));
+      fail("'" + type + "' is no type of GeoJSON");
   }
 
  private:

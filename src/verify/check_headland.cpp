@@ -91,7 +91,9 @@ class HeadlandCheck {
     const double in_block_m2 = area_m2(common(ground_.area, both));
     const auto tell = [&](double area, const std::string& what, const std::function<Shape()>& where) {
       if (area <= kRounding_m2) return;
-      for (const Shape& part : parts_of(where()))
+      const Shape all = where();
+      if (area > slack) return say({area, slack}, shown(area, 1) + " m2 " + what, place_in(all));
+      for (const Shape& part : parts_of(all))
         if (const double most = kRounding_m2 + kRounding_m * perimeter_m(part); area_m2(part) > most)
           return say({area_m2(part), most}, shown(area_m2(part), 1) + " m2 " + what, place_in(part));
     };
