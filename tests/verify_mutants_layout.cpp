@@ -84,7 +84,7 @@ bool hole_in(std::vector<LonLatArea>& parts, Dice& dice) {
     at.lon_deg += p.lon_deg / static_cast<double>(part.shell.size());
     at.lat_deg += p.lat_deg / static_cast<double>(part.shell.size());
   }
-  const double north = dice.between(0.5, 1) / 111320;
+  const double north = dice.between(0.25, 0.5) / 111320;
   const double east = north / std::cos(at.lat_deg * 0.017453292519943295);
   part.holes.push_back({{at.lon_deg - east, at.lat_deg - north},
                         {at.lon_deg - east, at.lat_deg + north},
