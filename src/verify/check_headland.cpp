@@ -90,12 +90,7 @@ class HeadlandCheck {
     const double both_m2 = area_m2(both);
     const double in_block_m2 = area_m2(common(ground_.area, both));
     const auto tell = [&](double area, const std::string& what, const std::function<Shape()>& where) {
-      if (area <= kRounding_m2) return;
-      const Shape all = where();
-      if (area > slack) return say({area, slack}, shown(area, 1) + " m2 " + what, place_in(all));
-      for (const Shape& part : parts_of(all))
-        if (const double most = kRounding_m2 + kRounding_m * perimeter_m(part); area_m2(part) > most)
-          return say({area_m2(part), most}, shown(area_m2(part), 1) + " m2 " + what, place_in(part));
+      if (area > kRounding_m2) tell_of(where(), slack, what);
     };
     tell(area_m2(band) + area_m2(cells) - both_m2, "are said to be headland and cell",
          [&] { return common(band, cells); });
@@ -113,6 +108,17 @@ class HeadlandCheck {
       say({near, headland_.depth_m}, "a cell lies " + shown(near, 2) +
                                          " m from the border; the headland is said to be " +
                                          shown(headland_.depth_m, 2) + " m deep");
+  }
+
+  /// All together, or one place that is larger than rounding along its border makes.
+  void tell_of(const Shape& ground, double slack, const std::string& what) {
+    const auto say_of = [&](const Shape& where, double most) {
+      say({area_m2(where), most}, shown(area_m2(where), 1) + " m2 " + what, place_in(where));
+    };
+    if (area_m2(ground) > slack) return say_of(ground, slack);
+    for (const Shape& part : parts_of(ground))
+      if (const double most = kRounding_m2 + kRounding_m * perimeter_m(part); area_m2(part) > most)
+        return say_of(part, most);
   }
 
   /// Rings are numbered from the border, each lies a width farther in, or more. Where one is not driven, no
