@@ -141,6 +141,27 @@ TEST_CASE("no turn leads far backwards over the mainland", "[route]") {
   CHECK(far > 0);
 }
 
+TEST_CASE("a far transfer goes round by the headland, not over rows just sown", "[route]") {
+  const Polygon area{{{0, 0}, {200, 0}, {200, 100}, {0, 100}}, {}};
+  const Ground bare{area};
+  Ground ground{area};
+  ground.mainland = AreaIndex{{Polygon{{{16, 16}, {184, 16}, {184, 84}, {16, 84}}, {}}}};
+  const auto road = [](Point from, Point to) {
+    return track_of(Path{{line(from, to), Gear::forward}}, false);
+  };
+  const std::vector<Track> round{road({16, 8}, {184, 8}), road({192, 16}, {192, 84}),
+                                 road({184, 92}, {16, 92}), road({8, 84}, {8, 16})};
+  for (const double heading : {0.0, kPi / 2, kPi}) {
+    CAPTURE(heading);
+    KnownGround known;
+    const auto way =
+        Roads{ground.terrain, round, known}.way({{20, 8}, heading}, {{{180, 92}, kPi - heading}}, {});
+    REQUIRE(way);
+    const double dearer_m = cost_m(ground.terrain, way->way) - cost_m(bare.terrain, way->way);
+    CHECK(dearer_m < 40 * kOverMainland);  // straight across: 140
+  }
+}
+
 TEST_CASE("what one search has learned of the ground leads the next one nowhere else", "[route]") {
   const Ground ground{two_yards()};
   const std::vector<Pose> from{{{10, 6}, kPi}};

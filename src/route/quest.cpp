@@ -12,10 +12,11 @@ namespace {
 constexpr std::size_t kMostVisited = 40000;
 constexpr std::size_t kSoon = 60;         // visited
 constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
-constexpr double kGreed = 3;         // weight of the distance to go; by 1.6 no way was shorter on the whole
-constexpr double kTurnsLater = 3;    // radii: a turn must promise so much more than driving on
-constexpr double kFar = 2;           // reaches: further off, dearer ground counts
-constexpr double kVeryFar = 8;       // reaches: there it counts from the first
+constexpr double kGreed = 2;              // weight of the distance to go
+constexpr double kLeapsLater = 1.5;       // weight of a turn from afar straight to a goal
+constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
+constexpr double kFar = 2;                // reaches: further off, dearer ground counts
+constexpr double kVeryFar = 8;            // reaches: there it counts from the first
 constexpr double kGuideCells = 150;  // a side: fine enough to tell headland from mainland on a large field
 
 Link known_link(std::size_t to, const Path& path, double cost_m) {
@@ -95,6 +96,13 @@ Roads::Links& Quest::turns_of(Start& start) {
   return turns;
 }
 
+/// A turn from afar straight to a goal is one step: unweighted it would beat ways round by the headland that
+/// cost less.
+double Quest::rest_after_m(const Link& link) {
+  const bool is_leap = link.to >= first_goal() && link.turn_m > kFar * roads_.reach_m();
+  return is_leap ? (kLeapsLater - 1) * link.cost_m : rest_m(link.to);
+}
+
 void Quest::propose(std::size_t from, Link& link) {
   const double later_m = link.worked_out ? 0 : kTurnsLater / terrain_.limits.curvature_per_m;
   frontier_.propose(from, link, rest_m(link.to) + later_m);
@@ -120,7 +128,7 @@ void Quest::expand(const Frontier::Entry& next) {
   } else if (frontier_.promises(next)) {
     roads_.work_on(*next.link);
     if (!next.link->worked_out) return propose(next.node, *next.link);
-    frontier_.drive(next.node, *next.link, rest_m(next.link->to));
+    frontier_.drive(next.node, *next.link, rest_after_m(*next.link));
   }
 }
 

@@ -55,6 +55,7 @@ class Quest {
   [[nodiscard]] double crow_m(Point at) const;
   [[nodiscard]] double dubins_m(const Pose& at) const;
   double rest_m(std::size_t node);
+  double rest_after_m(const Link& link);
   [[nodiscard]] bool leaves_by_turns(std::size_t node) const;
   [[nodiscard]] Link link_into(const End& end, const Pose& from) const;
   Roads::Links& turns_of(Start& start);
