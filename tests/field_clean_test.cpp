@@ -229,6 +229,36 @@ TEST_CASE("obstacles are taken off and keep their clearance, water its margin", 
   check_clean(blocks);
 }
 
+TEST_CASE("what parts or loops of a ring enclose between them keeps its clearance as a hole does",
+          "[field][clean]") {
+  const Field frame = field_of_metres({{rectangle(0, 0, 100, 20), {}},
+                                       {rectangle(0, 20, 20, 80), {}},
+                                       {rectangle(80, 20, 100, 80), {}},
+                                       {rectangle(0, 80, 100, 100), {}}});
+  const Blocks joined = blocks_of(frame);
+  REQUIRE(joined.blocks.size() == 1);
+  CHECK(joined.blocks.front().area.holes.size() == 1);
+  const double kept_m2 = 4 * 60 * 0.5 + std::numbers::pi * 0.25;
+  CHECK(area_m2(joined.blocks.front().free) == Approx(10000 - 3600 - kept_m2).margin(0.1));
+  // a band that crosses its own tail: between them a triangle
+  const Field knot = field_of_metres({{{{0, 0},
+                                        {200, 0},
+                                        {200, 100},
+                                        {60, 100},
+                                        {60, -40},
+                                        {80, -40},
+                                        {80, 80},
+                                        {180, 80},
+                                        {180, 20},
+                                        {0, 20}},
+                                       {}}});
+  const Blocks knotted = repaired_blocks(knot);
+  REQUIRE(knotted.blocks.size() == 1);
+  REQUIRE(knotted.blocks.front().area.holes.size() == 1);
+  CHECK(area_m2(knotted.blocks.front().area) - area_m2(knotted.blocks.front().free) ==
+        Approx(320 * 0.5 + std::numbers::pi * 0.25).margin(0.1));
+}
+
 TEST_CASE("an obstacle that with its clearance cuts a part makes two blocks that share the area out",
           "[field][clean]") {
   const double hedge_m = GENERATE(4.0, 0.4);  // a thin one lets what is beside it reach over

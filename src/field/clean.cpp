@@ -71,6 +71,7 @@ class Cleaner {
     check_area(claimed_m2);
     note_changed_parts();
     drop_small_parts();
+    add_gaps();
     return std::move(result_);
   }
 
@@ -211,6 +212,16 @@ class Cleaner {
     else if (!outside.empty())
       note(name + " is a hole that reaches out of its part by less than 1 cm" +
            near(outside.front().shell.front()) + ", and is cut there");
+  }
+
+  /// Loops and parts that meet all round leave holes between them that no ring gives.
+  void add_gaps() {
+    Polygons enclosed;
+    for (const Polygon& part : result_.parts)
+      for (const Ring& hole : part.holes) enclosed.push_back({hole, {}});
+    if (enclosed.empty()) return;
+    for (Polygon& gap : subtract(enclosed, result_.holes))
+      if (!is_sliver({gap})) result_.holes.push_back(std::move(gap));
   }
 
   void check_overlapping_parts() {

@@ -12,7 +12,7 @@ namespace selion {
 /// A field's parts as sets of places.
 struct Cleaned {
   Polygons parts;  ///< disjoint, holes taken off, largest first
-  Polygons holes;  ///< what was taken off, overlaps and all
+  Polygons holes;  ///< what was taken off, overlaps and all, and gaps that parts enclose
   std::vector<std::string> notes;
 };
 
