@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "layout/corner_shape.hpp"
+#include "layout/open_runs.hpp"
 #include "layout/parts.hpp"
 #include "selion/core/machine.hpp"
 #include "selion/layout/layout.hpp"
@@ -112,4 +113,24 @@ TEST_CASE("a tip too sharp to be driven round leaves the passes beside its long 
     }
     CHECK(longest_m > 200);
   }
+}
+
+TEST_CASE("a corner at which a border leads straight on parts no headland pass", "[layout]") {
+  Machine machine;
+  for (const MachinePreset& known : machine_presets())
+    if (known.name == "robot-3m") machine = known.machine;
+  const Ring plain{{10, 10}, {90, 10}, {90, 50}, {10, 50}};
+  const Ring with_corner{{10, 10}, {40, 10}, {90, 10}, {90, 50}, {10, 50}};
+  Block block;
+  block.area = block.free = Polygon{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, {}};
+  const Ground ground = ground_of(block, machine, 0.1);
+  const auto lengths_m = [&](const Ring& ring) {
+    std::vector<double> lengths;
+    for (const HeadlandRun& run : runs_on_edges(ground, ring, 1)) lengths.push_back(length_m(run.path));
+    std::sort(lengths.begin(), lengths.end());
+    return lengths;
+  };
+  const std::vector<double> sides = lengths_m(plain);
+  CHECK(sides.size() == 4);
+  CHECK_THAT(lengths_m(with_corner), Catch::Matchers::Approx(sides).margin(1e-6));
 }

@@ -83,13 +83,12 @@ class Chains {
     Point from = line_.front();
     for (std::size_t i = 1; i < line_.size(); ++i) {
       const auto bend = i + 1 < line_.size() ? bend_at(i, from) : std::nullopt;
-      const Point to = bend ? bend->front().curve.start : line_[i];
-      for (Path& step : steps_along(from, to)) steps_.push_back(std::move(step));
-      if (bend)
-        steps_.push_back(*bend);
-      else
-        close();
-      from = bend ? end_pose(*bend).at : line_[i];
+      const bool turns = bend && !bend->empty();
+      for (Path& step : steps_along(from, turns ? bend->front().curve.start : line_[i]))
+        steps_.push_back(std::move(step));
+      if (turns) steps_.push_back(*bend);
+      if (!bend) close();
+      from = turns ? end_pose(*bend).at : line_[i];
     }
     return std::move(runs_);
   }
@@ -102,7 +101,8 @@ class Chains {
     return wrapped(heading_rad(after - ring[i]) - heading_rad(ring[i] - before));
   }
 
-  /// At the end of an edge that is begun at `from`; half of the next edge is left to its other end.
+  /// At the end of an edge that is begun at `from`; half of the next edge is left to its other end. Empty
+  /// where the next edge leads straight on.
   [[nodiscard]] std::optional<Path> bend_at(std::size_t i, Point from) const {
     constexpr double kSharpest_rad = 1.2;
     const double in = heading_rad(line_[i] - line_[i - 1]);
