@@ -57,7 +57,7 @@ class SampleCheck {
     double reach = kNear_m;
     if (i > 0) {
       const double span = record_.t_s[i] - record_.t_s[i - 1];
-      reach += kSpeed_mps / 2 * span;  // what a speed's rounding adds up to
+      reach += kSpeed_mps / 2 * std::max(0.0, span);  // what a speed's rounding adds up to
       way = driven_.moments.back().way_m + (speed(i - 1) + speed(i)) / 2 * span;
     }
     const double led = std::clamp(way, 0.0, driven_.whole_m());
