@@ -162,6 +162,27 @@ TEST_CASE("a far transfer goes round by the headland, not over rows just sown", 
   }
 }
 
+TEST_CASE("where the roads lead to no goal, the way back out of the last work still may", "[route]") {
+  // a yard, and a dead end into which the machine, which drives forwards only, gets in but not round
+  const Ground ground{
+      Polygon{{{-120, -2}, {0, -2}, {0, -20}, {60, -20}, {60, 20}, {0, 20}, {0, 2}, {-120, 2}}, {}},
+      only_ahead(robot())};
+  std::vector<Track> lines;
+  for (const double y_m : {-15.0, -9.0, -3.0, 3.0, 9.0, 15.0}) {
+    lines.push_back(track_of(Path{{line({12, y_m}, {50, y_m}), Gear::forward}}, false));
+    lines.push_back(track_of(Path{{line({50, y_m}, {12, y_m}), Gear::forward}}, false));
+  }
+  KnownGround known;
+  Roads roads{ground.terrain, lines, known};
+  const std::vector<Pose> goal{{{-100, 0}, 0}};
+  CHECK_FALSE(roads.way({{20, 0}, 0}, goal, {}));
+  const Pose here{{4, 0}, 0};
+  const auto way = roads.way(here, goal, {backed(Path{{line({-115, 0}, here.at), Gear::forward}})});
+  REQUIRE(way);
+  CHECK(distance_m(end_pose(way->way).at, goal.front().at) < 1e-6);
+  CHECK(stays_inside(ground.space, ground.terrain.footprint, way->way));
+}
+
 TEST_CASE("what one search has learned of the ground leads the next one nowhere else", "[route]") {
   const Ground ground{two_yards()};
   const std::vector<Pose> from{{{10, 6}, kPi}};

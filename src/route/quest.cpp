@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace selion {
 namespace {
@@ -104,6 +106,7 @@ double Quest::rest_after_m(const Link& link) {
 }
 
 void Quest::propose(std::size_t from, Link& link) {
+  if (std::binary_search(shut_.begin(), shut_.end(), link.to)) return;
   const double later_m = link.worked_out ? 0 : kTurnsLater / terrain_.limits.curvature_per_m;
   frontier_.propose(from, link, rest_m(link.to) + later_m);
 }
@@ -161,15 +164,28 @@ Roads::Stations Quest::stations_reached() const {
   return reached;
 }
 
+/// By turns from where it sets out, and over other stations than those.
+std::optional<std::size_t> Quest::found_beside(Roads::Stations shut) {
+  shut_ = std::move(shut);
+  const auto goal = found(kMostVisited);
+  shut_.clear();
+  return goal;
+}
+
 /// Most ways are found soon. Where one is not, the way left is taken from the ground and, where goals are
 /// few, from the turns into them: else a search floods the roads around a goal that hardly any of them leads
 /// to, or none from here.
 std::optional<std::size_t> Quest::found() {
   if (const auto goal = found(kSoon)) return goal;
   realm_ = roads_.realm_of(stations_reached());
-  if (realm_ != nullptr && goals_not_in_vain(*realm_).empty()) return std::nullopt;
+  if (realm_ != nullptr && goals_not_in_vain(*realm_).empty()) return found_beside(*realm_);
   guide_beyond(kFar);
-  if (has_few_goals() && !find_entries()) return found(kMostInVain);
+  if (has_few_goals() && !find_entries()) {
+    Roads::Stations all(roads_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const auto goal = found_beside(std::move(all));
+    return goal ? goal : found(kMostInVain);
+  }
   const auto goal = found(kMostVisited);
   if (!goal && frontier_.empty() && realm_ == nullptr) realm_ = roads_.remember_realm(stations_reached());
   return goal;

@@ -68,6 +68,7 @@ class Quest {
   [[nodiscard]] Arrival arrival(std::size_t goal) const;
   std::optional<std::size_t> found(std::size_t most_visited);
   std::optional<std::size_t> found();
+  std::optional<std::size_t> found_beside(Roads::Stations shut);
   [[nodiscard]] std::vector<std::size_t> departures() const;
   [[nodiscard]] Roads::Stations stations_reached() const;
   [[nodiscard]] std::vector<Pose> goals_not_in_vain(const Roads::Stations& reached) const;
@@ -81,6 +82,7 @@ class Quest {
   std::deque<Link> end_links_;
   std::vector<Entry> entries_;
   const Roads::Stations* realm_ = nullptr;  // all that can be reached from here, where that is known
+  Roads::Stations shut_;                    // from none of them a goal is reached
   std::unordered_map<std::size_t, std::vector<Link*>> to_ends_;  // from a station
   std::unordered_map<std::size_t, double> rest_m_;
   std::optional<Guide> guide_;  // over a long way
