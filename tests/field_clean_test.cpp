@@ -240,6 +240,23 @@ TEST_CASE("what parts or loops of a ring enclose between them keeps its clearanc
   CHECK(joined.blocks.front().area.holes.size() == 1);
   const double kept_m2 = 4 * 60 * 0.5 + std::numbers::pi * 0.25;
   CHECK(area_m2(joined.blocks.front().free) == Approx(10000 - 3600 - kept_m2).margin(0.1));
+  // two parts that meet in points, or all but meet
+  for (const double apart_m : {0.0, 0.002}) {
+    const Field corners =
+        field_of_metres({{{{0, 0}, {200, 0}, {200, 50}, {150, 50}, {50, 50}, {50, 150}, {0, 150}}, {}},
+                         {{{50 + apart_m, 150},
+                           {150, 150},
+                           {150, 50 + apart_m},
+                           {200, 50 + apart_m},
+                           {200, 200},
+                           {50 + apart_m, 200}},
+                          {}}});
+    const Blocks both = blocks_of(corners);
+    REQUIRE(both.blocks.size() == (apart_m > 0 ? 2 : both.blocks.size()));
+    double kept = 0;
+    for (const Block& block : both.blocks) kept += area_m2(block.area) - area_m2(block.free);
+    CHECK(kept == Approx(4 * 100 * 0.5).margin(1));
+  }
   // a band that crosses its own tail: between them a triangle
   const Field knot = field_of_metres({{{{0, 0},
                                         {200, 0},

@@ -214,13 +214,16 @@ class Cleaner {
            near(outside.front().shell.front()) + ", and is cut there");
   }
 
-  /// Loops and parts that meet all round leave holes between them that no ring gives.
+  /// Loops and parts that meet all round, be it in points, leave holes between them that no ring gives.
   void add_gaps() {
+    constexpr double kCrack_m = 4e-3;  // between parts that are to meet: no machine gets through
     Polygons enclosed;
-    for (const Polygon& part : result_.parts)
-      for (const Ring& hole : part.holes) enclosed.push_back({hole, {}});
+    for (const Polygon& closed : outset_round(result_.parts, kCrack_m))
+      for (const Ring& hole : closed.holes) enclosed.push_back({hole, {}});
     if (enclosed.empty()) return;
-    for (Polygon& gap : subtract(enclosed, result_.holes))
+    Polygons known = result_.parts;
+    known.insert(known.end(), result_.holes.begin(), result_.holes.end());
+    for (Polygon& gap : subtract(outset_round(enclosed, kCrack_m), known))
       if (!is_sliver({gap})) result_.holes.push_back(std::move(gap));
   }
 
