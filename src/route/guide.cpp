@@ -10,7 +10,6 @@ namespace selion {
 namespace {
 
 constexpr double kLeastCell_m = 0.75;
-constexpr double kFine_m = 3;  // places of a wide cell lie no further apart
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -61,26 +60,17 @@ void Guide::for_neighbours(std::size_t cell, Visit visit) const {
   }
 }
 
-/// Half the body has room there.
+/// Half the body has room there; touching squares keep the walk inside without asking again.
 bool Guide::open(const Terrain& terrain, Point p) const {
   if (terrain.space.far_from_border(p)) return true;
-  const double half = std::max(std::min(cell_m_, kFine_m) / 2, 0.8 * terrain.footprint.half_body_m);
+  const double half = std::max(cell_m_ / 2, 0.8 * terrain.footprint.half_body_m);
   return terrain.space.clear(std::array{p + Point{-half, -half}, p + Point{half, -half},
                                         p + Point{half, half}, p + Point{-half, half}});
 }
 
-/// The best of places all over the cell: where cells are wider than the headland, each at the border has some
-/// of it.
 Guide::Ground Guide::ground_at(const Terrain& terrain, Point p) const {
-  const int side = static_cast<int>(std::ceil(cell_m_ / kFine_m));
-  const double apart_m = cell_m_ / side;
-  const Point first = p - (side - 1) / 2.0 * Point{apart_m, apart_m};
-  Ground best = Ground::closed;
-  for (int x = 0; x < side; ++x)
-    for (int y = 0; y < side && best != Ground::open; ++y)
-      if (const Point q = first + apart_m * Point{1.0 * x, 1.0 * y}; open(terrain, q))
-        best = terrain.mainland.holds(q) ? Ground::mainland : Ground::open;
-  return best;
+  if (!open(terrain, p)) return Ground::closed;
+  return terrain.mainland.holds(p) ? Ground::mainland : Ground::open;
 }
 
 double Guide::dearness(Ground ground) {
