@@ -2,8 +2,10 @@
 #include "test.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
+#include "route/guide.hpp"
 #include "route/roads.hpp"
 
 using namespace selion;
@@ -160,6 +162,17 @@ TEST_CASE("a far transfer goes round by the headland, not over rows just sown", 
     const double dearer_m = cost_m(ground.terrain, way->way) - cost_m(bare.terrain, way->way);
     CHECK(dearer_m < 40 * kOverMainland);  // straight across: 140
   }
+}
+
+TEST_CASE("what is left of a way over a large field is known to lead along its headland", "[route]") {
+  const Polygon area{{{0, 0}, {1400, 0}, {1400, 1000}, {0, 1000}}, {}};
+  Ground ground{area};
+  ground.mainland = AreaIndex{{Polygon{{{6.3, 6.3}, {1393.7, 6.3}, {1393.7, 993.7}, {6.3, 993.7}}, {}}}};
+  const Pose from{{4, 4}, 0};
+  const std::vector<Pose> goal{{{1396, 996}, kPi / 2}};
+  const Guide guide{ground.terrain, from, goal, std::numeric_limits<double>::infinity(), 150};
+  CHECK(guide.to_goal_m(from.at) < 1400 + 1000);  // straight across costs 5100
+  CHECK(guide.to_goal_m({700, 500}) > 0.9 * 3 * 490);
 }
 
 TEST_CASE("where the roads lead to no goal, the way back out of the last work still may", "[route]") {

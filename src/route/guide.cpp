@@ -15,7 +15,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 }  // namespace
 
 Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m,
-             double most_cells) {
+             double cells) {
   Ring places{from.at};
   for (const Pose& goal : goals) places.push_back(goal.at);
   const Box field = bounds(terrain.space.area().shell);
@@ -24,7 +24,9 @@ Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& 
   const Point high{std::min(field.high.x_m, all.high.x_m + margin_m),
                    std::min(field.high.y_m, all.high.y_m + margin_m)};
   const Point size = high - low_;
-  cell_m_ = std::max(kLeastCell_m, std::max(size.x_m, size.y_m) / most_cells);
+  const double side_m = std::max(size.x_m, size.y_m);
+  cell_m_ = std::max({kLeastCell_m, std::min(side_m / cells, terrain.machine.working_width_m),
+                      side_m / kMostCells});
   columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 1;
   rows_ = static_cast<std::size_t>(std::max(0.0, size.y_m) / cell_m_) + 1;
   distance_.assign(columns_ * rows_, kFar);

@@ -17,9 +17,12 @@ namespace selion {
 /// search.
 class Guide {
  public:
-  /// Over the field within `margin_m` of the box around all poses, at most `most_cells` a side.
+  static constexpr double kMostCells = 500;  // a side
+
+  /// Over the field within `margin_m` of the box around all poses, by so many `cells` a side; more where these
+  /// would be wider than the tool, for then none may fit on the headland.
   Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m,
-        double most_cells = 500);
+        double cells = kMostCells);
 
   /// Infinite where no way was found.
   [[nodiscard]] double to_goal_m(Point p) const;

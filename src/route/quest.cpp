@@ -19,7 +19,7 @@ constexpr double kLeapsLater = 1.5;       // weight of a turn from afar straight
 constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
 constexpr double kFar = 2;                // reaches: further off, dearer ground counts
 constexpr double kVeryFar = 8;            // reaches: there it counts from the first
-constexpr double kGuideCells = 150;       // a side: tells headland from mainland up to some 500 m
+constexpr double kGuideCells = 150;       // a side
 
 Link known_link(std::size_t to, const Path& path, double cost_m) {
   Link link;
