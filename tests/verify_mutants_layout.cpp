@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "verify_mutants.hpp"
@@ -96,6 +97,26 @@ bool hole_in(std::vector<LonLatArea>& parts, Dice& dice) {
 bool drive_swath_as_pass(PlanFile& plan, Dice& dice) {
   const SwathRecord swath = plan.swaths[dice.pick(plan.swaths.size())];
   rename_pieces(plan, swath, "headland_pass", swath.id);
+  return true;
+}
+
+double length_m(const LonLatLine& line) {
+  constexpr double kDegree_m = 111'200;
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length += kDegree_m * std::hypot(line[i].lat_deg - line[i - 1].lat_deg,
+                                     (line[i].lon_deg - line[i - 1].lon_deg) *
+                                         std::cos(line[i].lat_deg * std::numbers::pi / 180));
+  return length;
+}
+
+/// A long one: short ones may lie in corners, with none further out beside them.
+bool count_ring_one_less(PlanFile& plan, Dice& dice) {
+  std::vector<HeadlandPassRecord*> long_ones;
+  for (HeadlandPassRecord& pass : plan.headland_passes)
+    if (pass.ring > 1 && length_m(pass.line) > 100) long_ones.push_back(&pass);
+  if (long_ones.empty()) return false;
+  --long_ones[dice.pick(long_ones.size())]->ring;
   return true;
 }
 
@@ -239,6 +260,7 @@ const std::vector<Mutation>& of_layout() {
        to_one(&P::headlands, [](auto& h, Dice& d) { h.depth_m += d.between(0.05, 3); })},
       {"edit the headland's passes", {"headland"}, to_one(&P::headlands, [](auto& h, Dice&) { ++h.passes; })},
       {"another ring of a pass", {"headland"}, to_one(&P::headland_passes, [](auto& p, Dice&) { ++p.ring; })},
+      {"a ring of a pass one less", {"headland"}, count_ring_one_less},
       {"drop the headland", {"headland"}, without(&P::headlands)},
       {"leave the headland unworked", {"headland"}, leave_headland},
       {"work the headland the other way round", {"headland_order"}, turn_headland_order},

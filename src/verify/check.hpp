@@ -68,7 +68,7 @@ void check_stops(Case& plan, const Driven& driven);
 void check_tool(Case& plan, const Driven& driven);
 /// Body and tool in the block and clear of obstacles, everywhere.
 void check_inside(Case& plan, const Driven& driven);
-/// Swaths keep the edge margin; headland passes may use it at corners (check_headlands).
+/// Swaths keep the edge margin; headland passes may use it at corners (check_rings).
 void check_margin(Case& plan, const Driven& driven);
 /// Each swath and pass once, where its line lies, in its order.
 void check_lines(Case& plan);
@@ -84,8 +84,10 @@ void check_ab(Case& plan);
 std::optional<int> strip_of(const std::string& id);
 /// The headland before or after the swaths, as the job has it.
 void check_order(Case& plan, const Driven& driven);
-/// Headlands: their depth, their share of the block, their passes.
+/// Headlands: their depth, their share of the block, no swaths among their passes.
 void check_headlands(Case& plan);
+/// Headland passes: their rings, and how near to the border they lie.
+void check_rings(Case& plan);
 /// The ground covered. Fills the verdict's areas and places.
 void check_coverage(Case& plan, Verdict& verdict);
 /// Ground under two or more steps of the tool, as places.

@@ -93,7 +93,7 @@ Shape left_out(const Case& plan, const OwnerGround& owned, const Shape& planned,
     if (ground.obstacles) kept_off.push_back(grown(ground.obstacles, most_m));
   kept_off.push_back(grown(owned.holes, vehicle.obstacle_clearance_m));
   std::vector<Shape> left;
-  const double half = std::max(vehicle.machine.working_width_m, vehicle.machine.body_width_m) / 2;
+  const double half = half_tool_m(vehicle);
   for (const Shape& part :
        parts_of(without(without(owned.area, grown(planned, kBorder_m)), united(kept_off))))
     if (area_m2(part) >= kSmallest_m2 && area_m2(grown(part, -half)) > 0) left.push_back(part);

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <set>
 
 #include "check.hpp"
 
 namespace selion::verifying {
 namespace {
 
-constexpr double kOverlap_m = 0.02;  // of neighbouring rings, so that no sliver stays between
-constexpr double kStray_m = 0.05;    // what lines of passes may stray along borders that are not straight
-constexpr double kDrivable_m = 0.2;  // what each ring strays from the one outside it where it must; more
-constexpr double kStray = 0.12;      // widths past slits
-constexpr double kMostStray = 0.4;
-constexpr double kNextRing = 0.7;  // widths farther in than a ring
-constexpr double kLong = 8;        // widths
-constexpr double kLongRing_m = 100;
+constexpr double kDepth_m = 0.02;
 constexpr double kRounding_m = 1e-3;  // of ground along its border
 constexpr double kRounding_m2 = 0.1;
-constexpr double kStep_m = 2;     // from place to place of a line
-constexpr int kMostPlaces = 200;  // of it
 
 Shape shape_of(const Plane& plane, const std::vector<LonLatArea>& parts) {
   std::vector<Shape> shapes;
@@ -33,7 +22,7 @@ Shape shape_of(const Plane& plane, const std::vector<LonLatArea>& parts) {
   return united(shapes);
 }
 
-/// Headland and cells of one block.
+/// Headland and cells of one block, and that no swath is called a headland pass.
 class HeadlandCheck {
  public:
   HeadlandCheck(Case& plan, const Ground& ground, const HeadlandRecord& headland)
@@ -50,25 +39,15 @@ class HeadlandCheck {
     plan_.findings.add("headland", ground_.block, at, measured, what);
   }
 
-  [[nodiscard]] double half_m() const {
-    return std::max(plan_.vehicle.machine.working_width_m, plan_.vehicle.machine.body_width_m) / 2;
-  }
-  [[nodiscard]] double spacing_m() const { return plan_.vehicle.machine.working_width_m - kOverlap_m; }
-
-  /// What a short ring may lie nearer to the border than it should.
-  [[nodiscard]] double strays_m(int ring) const {
-    const double past_slits = std::min((ring - 1) * kStray, kMostStray) * spacing_m();
-    return std::max(std::min(ring * kDrivable_m, spacing_m() / 4), past_slits);
-  }
-
   /// As deep as edge margin and passes make it.
   void depth() {
     const double margin = plan_.vehicle.edge_margin_m;
     const int passes = headland_.passes;
     const double deep = passes == 0 ? margin
-                                    : margin + half_m() + plan_.vehicle.machine.working_width_m / 2 +
-                                          (passes - 1) * spacing_m();
-    if (!(std::abs(headland_.depth_m - deep) <= kOverlap_m))
+                                    : margin + half_tool_m(plan_.vehicle) +
+                                          plan_.vehicle.machine.working_width_m / 2 +
+                                          (passes - 1) * ring_spacing_m(plan_.vehicle);
+    if (!(std::abs(headland_.depth_m - deep) <= kDepth_m))
       say({headland_.depth_m, deep}, "the headland is said to be " + shown(headland_.depth_m, 2) +
                                          " m deep; " + std::to_string(passes) +
                                          " passes and the edge margin make it " + shown(deep, 2) + " m");
@@ -104,7 +83,7 @@ class HeadlandCheck {
          [&] { return without(both, ground_.area); });
     if (parts.empty()) return;
     const double near = distance_m(cells, border_of(filled(ground_.area)));
-    if (!(near >= headland_.depth_m - kOverlap_m))
+    if (!(near >= headland_.depth_m - kDepth_m))
       say({near, headland_.depth_m}, "a cell lies " + shown(near, 2) +
                                          " m from the border; the headland is said to be " +
                                          shown(headland_.depth_m, 2) + " m deep");
@@ -121,46 +100,9 @@ class HeadlandCheck {
         return say_of(part, most);
   }
 
-  /// Rings are numbered from the border, each lies a width farther in, or more. Where one is not driven, no
-  /// other may lie where it would.
   void passes() {
-    std::set<int> rings;
-    bool farther_in = false;
-    const Prepared around{border_of(ground_.free)};
-    const Prepared border{border_of(filled(ground_.area))};
-    const bool is_bare = !(area_m2(ground_.kept) > 0);
-    for (const HeadlandPassRecord& pass : plan_.plan.headland_passes) {
-      if (pass.block != ground_.block) continue;
-      rings.insert(pass.ring);
-      const std::vector<Point> line = plan_.plane.to_local(pass.line);
-      const double usual = usual_distance_m(line, around);
-      is_of_its_ring(pass, line, usual);
-      keeps_margin(pass.id, line, is_bare ? usual : usual_distance_m(line, border));
-      is_no_swath(pass, line);
-      farther_in = farther_in || usual >= told_m(pass) + kNextRing * spacing_m();
-    }
-    for (int ring = 1; ring <= headland_.passes && farther_in; ++ring)
-      if (!rings.contains(ring))
-        return say({1.0 * ring, 0}, "no headland pass is of ring " + std::to_string(ring));
-  }
-
-  /// From border and obstacles, as its ring has it.
-  [[nodiscard]] double told_m(const HeadlandPassRecord& pass) const {
-    return half_m() + (pass.ring - 1) * spacing_m();
-  }
-
-  void is_of_its_ring(const HeadlandPassRecord& pass, const std::vector<Point>& line, double usual) {
-    const std::string ring = pass.id + " is said to be ring " + std::to_string(pass.ring);
-    if (pass.ring > headland_.passes)
-      say({1.0 * pass.ring, 1.0 * headland_.passes},
-          ring + " of a headland of " + std::to_string(headland_.passes) + " passes", line.front());
-    const double told = told_m(pass);
-    const double strays = length_m(line) < kLongRing_m ? strays_m(pass.ring) : 0;
-    if (!(usual >= told - spacing_m() / 2 - strays))
-      say({usual, told},
-          ring + ", " + shown(told, 1) + " m or more from border and obstacles; it lies " + shown(usual, 1) +
-              " m off",
-          line.front());
+    for (const HeadlandPassRecord& pass : plan_.plan.headland_passes)
+      if (pass.block == ground_.block) is_no_swath(pass, plan_.plane.to_local(pass.line));
   }
 
   /// How much of the line from `a` lies beside swaths whose middle is nearer than half a width.
@@ -185,49 +127,13 @@ class HeadlandCheck {
     if (line.size() != 2 || ab == plan_.plan.ab_lines.end()) return;
     const Point along = unit(heading_rad(plan_.plane.to_local(ab->b) - plan_.plane.to_local(ab->a)));
     if (std::abs(cross(along, line[1] - line[0])) > kParallel_m) return;
+    const double length = distance_m(line[0], line[1]);
     const double within = perimeter_m(common(line_through(line), cells_));
     const Point ahead = unit(heading_rad(line[1] - line[0]));
-    if (within >= kMost * length_m(line) &&
-        worked_by_swaths_m(line[0], ahead, length_m(line)) < kMost * length_m(line))
+    if (within >= kMost * length && worked_by_swaths_m(line[0], ahead, length) < kMost * length)
       plan_.findings.add(
           "line_kind", ground_.block, line.front(), {within, 0},
           "headland pass " + pass.id + " lies in a cell, parallel to the AB line: it is a swath");
-  }
-
-  /// A long line does; short ones lead into corners.
-  void keeps_margin(const std::string& id, const std::vector<Point>& line, double off) {
-    const double told = half_m() + plan_.vehicle.edge_margin_m;
-    if (length_m(line) < kLong * plan_.vehicle.machine.working_width_m || off >= told - kStray_m) return;
-    plan_.findings.add("edge_margin", ground_.block, line.front(), {off, told},
-                       id + " lies " + shown(off, 3) +
-                           " m from the border; tool, ring and edge margin make it " + shown(told, 3) + " m");
-  }
-
-  [[nodiscard]] static double length_m(const std::vector<Point>& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += distance_m(line[i - 1], line[i]);
-    return length;
-  }
-
-  /// Of half of the line's places: it cuts corners and swings out round others. Past slits it leads far off.
-  [[nodiscard]] static double usual_distance_m(const std::vector<Point>& points, const Prepared& border) {
-    const double length = length_m(points);
-    const int steps = std::min(kMostPlaces, 1 + static_cast<int>(length / kStep_m));
-    std::vector<double> off;
-    std::size_t i = 1;
-    double before = 0;  // the line's length as far as corner i - 1
-    for (int k = 0; k < steps; ++k) {
-      const double along = length * k / steps;
-      while (i + 1 < points.size() && before + distance_m(points[i - 1], points[i]) < along) {
-        before += distance_m(points[i - 1], points[i]);
-        ++i;
-      }
-      const Point on = points[i - 1] + (along - before) * unit(heading_rad(points[i] - points[i - 1]));
-      off.push_back(border.distance_m(std::array{on}));
-    }
-    const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-    std::ranges::nth_element(off, middle);
-    return *middle;
   }
 
   Case& plan_;

@@ -188,4 +188,13 @@ double Prepared::distance_m(std::span<const Point> corners) const {
   return distance;
 }
 
+std::optional<Point> Prepared::nearest_to(Point p) const {
+  GEOSCoordSequence* both = GEOSPreparedNearestPoints_r(handle(), prepared_.get(), place_at(p).get());
+  if (both == nullptr) return std::nullopt;
+  Point nearest;
+  GEOSCoordSeq_getXY_r(handle(), both, 0, &nearest.x_m, &nearest.y_m);
+  GEOSCoordSeq_destroy_r(handle(), both);
+  return nearest;
+}
+
 }  // namespace selion::verifying

@@ -75,6 +75,8 @@ class Prepared {
   [[nodiscard]] bool touches(const Shape& other) const;
   [[nodiscard]] bool holds(Point p) const;
   [[nodiscard]] double distance_m(std::span<const Point> corners) const;
+  /// The place of it that is nearest; of an empty shape none.
+  [[nodiscard]] std::optional<Point> nearest_to(Point p) const;
 
  private:
   Shape shape_;

@@ -164,6 +164,15 @@ Vehicle vehicle_of(const std::string& job_json, std::string& trouble) {
   return vehicle;
 }
 
+double half_tool_m(const Vehicle& vehicle) {
+  return std::max(vehicle.machine.working_width_m, vehicle.machine.body_width_m) / 2;
+}
+
+double ring_spacing_m(const Vehicle& vehicle) {
+  constexpr double kOverlap_m = 0.02;
+  return vehicle.machine.working_width_m - kOverlap_m;
+}
+
 double steering_rad_s(const Vehicle& vehicle, double curvature_per_m, double sharpness_per_m2,
                       double speed_mps) {
   const Machine& m = vehicle.machine;

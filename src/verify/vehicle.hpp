@@ -38,6 +38,11 @@ struct Vehicle {
 /// then the vehicle is not to be used.
 Vehicle vehicle_of(const std::string& job_json, std::string& trouble);
 
+/// Half the width of tool or body, whichever is wider.
+double half_tool_m(const Vehicle& vehicle);
+/// From one headland pass to the next: no sliver stays between them.
+double ring_spacing_m(const Vehicle& vehicle);
+
 /// How fast the steering moves (its angle is atan(L k); of a differential machine, L k itself) where a path
 /// of that curvature and sharpness is driven at that speed.
 double steering_rad_s(const Vehicle& vehicle, double curvature_per_m, double sharpness_per_m2,

@@ -30,6 +30,7 @@ Verdict verify(const PlanFile& file, const std::optional<GivenField>& given) {
     check_lines(plan);
     check_ab(plan);
     check_headlands(plan);
+    check_rings(plan);
     check_waits(plan);
     check_robots(plan);
     check_coverage(plan, verdict);
