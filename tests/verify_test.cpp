@@ -375,6 +375,34 @@ TEST_CASE("a fence thinner than what is allowed for roundings is found on the wa
   CHECK(std::ranges::count(verdict.findings, "body_obstacle", &Finding::code) > 0);
 }
 
+TEST_CASE("along a fence that stands on the border its own clearance is kept, not the edge margin",
+          "[verify]") {
+  Field field = field_of_metres({{{{0, 0}, {250, 0}, {250, 180}, {0, 180}}, {}}});
+  field.obstacles.push_back({"fence", ObstacleKind::obstacle,
+                             polygon_of_metres({{{0, 90}, {200, 90}, {200, 90.02}, {0, 90.02}}, {}})});
+  const std::string job = "[machine]\npreset = \"tractor-12m\"\n[field]\nobstacle_clearance_m = ";
+  CHECK(text_of(verify(written(field, job + "0\n"), std::nullopt)) == "");
+  PlanFile nearer = written(field, job + "0.3\n");
+  CHECK(text_of(verify(nearer, std::nullopt)) == "");
+  for (CellRecord& cell : nearer.cells)
+    for (LonLatArea& part : cell.parts)
+      for (LonLat& p : part.shell) p.lat_deg += 1e-6;
+  CHECK(text_of(verify(nearer, std::nullopt)).find("a cell lies") != std::string::npos);
+}
+
+TEST_CASE("work that begins where other work ends is gone on with, however they are rounded", "[verify]") {
+  const double east_deg = GENERATE(299.0, 299.5, 300.0) / 68677;
+  const double north_deg = 3.7 / 111267;
+  Field field;
+  field.parts.push_back(
+      {{{5.1, 52.1}, {5.1 + east_deg, 52.1}, {5.1 + east_deg, 52.1 + north_deg}, {5.1, 52.1 + north_deg}},
+       {}});
+  const PlanFile plan = written(field, "[machine]\npreset = \"amiga\"\nfront_m = 7.5\n");
+  REQUIRE(
+      std::ranges::any_of(plan.swaths, [](const SwathRecord& swath) { return swath.id.starts_with('P'); }));
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
 TEST_CASE("a second robot on the first one's way is found, with no gap asked for and without names of lines",
           "[verify]") {
   PlanFile plan = written(sample("f6.geojson"), "[machine]\nsafety_gap_m = 0\n");

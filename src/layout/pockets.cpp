@@ -142,6 +142,16 @@ std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
   return Swath{"", 0, way.from + fit.low_m * axis, way.from + fit.high_m * axis};
 }
 
+/// Ends where a swath of the same line begins, not a rounding beyond: the machine would have to back up by it.
+void meet(Swath& piece, const std::vector<Swath>& swaths) {
+  constexpr double kRounding_m = 1e-4;
+  const Point axis = (1 / distance_m(piece.from, piece.to)) * (piece.to - piece.from);
+  for (Point* end : {&piece.from, &piece.to})
+    for (const Swath& swath : swaths)
+      for (const Point other : {swath.from, swath.to})
+        if (distance_m(*end, other) < kRounding_m) *end = *end + dot(axis, other - *end) * axis;
+}
+
 /// One round of pieces into the unworked ground.
 std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
   const double least_m2 = least_pocket_m2(ground.machine);
@@ -177,8 +187,9 @@ std::vector<Swath> lay_pockets(const Ground& ground, const Layout& layout) {
   std::vector<Swath> pockets;
   for (int round = 0; round < kRounds; ++round) {
     const Polygons left = unworked(ground, layout, pockets);
-    const std::vector<Swath> more = pieces_into(ground, left);
+    std::vector<Swath> more = pieces_into(ground, left);
     if (more.empty()) break;
+    for (Swath& piece : more) meet(piece, layout.swaths);
     pockets.insert(pockets.end(), more.begin(), more.end());
   }
   for (std::size_t k = 0; k < pockets.size(); ++k) pockets[k].id = "P" + std::to_string(k + 1);

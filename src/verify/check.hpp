@@ -21,6 +21,7 @@ constexpr double kInside_m = 0.01;  // "inside" allows as much (docs/architectur
 struct Ground {
   int block = 1;
   Shape area;       ///< as the plan file has it
+  Shape edge;       ///< its border, but holes and obstacles: the edge margin is kept from it
   Shape obstacles;  ///< of the plan file, with what is kept from them; none: empty
   Shape kept;       ///< these, and holes with what is kept from those
   Shape free;       ///< the area less these

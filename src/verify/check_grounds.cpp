@@ -89,11 +89,14 @@ void add_grounds(Case& plan, const std::vector<LonLatArea>& parts) {
   for (const LonLatArea& part : parts)
     areas.push_back(area_of(plan, static_cast<int>(areas.size()) + 1, part));
   const Standing standing = standing_in(plan, areas);
+  const Shape beside_obstacles = obstacles_of(plan, 0, -kInside_m);
   if (const Shape thin = thin_obstacles(plan); thin && area_m2(thin) > 0) plan.thin.emplace(border_of(thin));
   for (const Shape& area : areas) {
     const Shape room = without(grown(area, kInside_m), standing.hard);
-    plan.grounds.push_back({static_cast<int>(plan.grounds.size()) + 1, area, standing.obstacles,
-                            standing.kept, without(area, standing.kept), Prepared{room},
+    const Shape border = border_of(filled(area));
+    plan.grounds.push_back({static_cast<int>(plan.grounds.size()) + 1, area,
+                            beside_obstacles ? without(border, beside_obstacles) : border,
+                            standing.obstacles, standing.kept, without(area, standing.kept), Prepared{room},
                             Border{border_of(room)}});
   }
 }

@@ -82,7 +82,7 @@ class HeadlandCheck {
     tell(both_m2 - in_block_m2, "of headland and cells lie outside the block",
          [&] { return without(both, ground_.area); });
     if (parts.empty()) return;
-    const double near = distance_m(cells, border_of(filled(ground_.area)));
+    const double near = distance_m(cells, ground_.edge);
     if (!(near >= headland_.depth_m - kDepth_m))
       say({near, headland_.depth_m}, "a cell lies " + shown(near, 2) +
                                          " m from the border; the headland is said to be " +

@@ -28,7 +28,7 @@ void check_margin(Case& plan, const Driven& driven) {
   const Ground* ground = plan.ground(driven.record->block);
   const double margin = plan.vehicle.edge_margin_m;
   if (ground == nullptr || !(margin > 0)) return;
-  const Prepared border{border_of(filled(ground->area))};
+  const Prepared border{ground->edge};
   for (std::size_t i = 0; i < driven.pieces.size(); ++i) {
     const PieceLine& piece = driven.pieces[i];
     if (piece.record().kind != "swath" || !is_straight(piece)) continue;

@@ -49,7 +49,7 @@ class RingCheck {
       : plan_{plan},
         ground_{ground},
         around_{border_of(ground.free)},
-        border_{border_of(filled(ground.area))} {
+        border_{ground.edge} {
     std::map<int, std::vector<Shape>> rings;
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes)
       if (pass.block == ground_.block)
