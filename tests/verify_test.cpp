@@ -427,6 +427,32 @@ TEST_CASE("the one place where a long drive comes close to a pole is among those
   }));
 }
 
+TEST_CASE("what is driven in the last half millimetre before a stop is no standing", "[verify]") {
+  PlanFile plan = written(small_field(), "[machine]\npreset = \"husky\"\n[headland]\ncorners = \"fill\"\n");
+  int stops = 0;
+  for (TrajectoryRecord& t : plan.trajectories)
+    for (std::size_t i = t.t_s.size() - 1; i > 0; --i) {
+      const double before_s = t.t_s[i] - t.t_s[i - 1];
+      if (t.speed_mps[i] != 0 || t.speed_mps[i - 1] < 0.1 || t.tool[i - 1] == 0) continue;
+      const double brakes_mps2 = t.speed_mps[i - 1] / before_s;
+      const double last_s = std::sqrt(2 * 4e-4 / brakes_mps2);
+      const double left = last_s * last_s / (before_s * before_s);  // of the way
+      const LonLat from = t.line[i - 1];
+      const LonLat to = t.line[i];
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      t.line.insert(t.line.begin() + at, {to.lon_deg + left * (from.lon_deg - to.lon_deg),
+                                          to.lat_deg + left * (from.lat_deg - to.lat_deg)});
+      t.t_s.insert(t.t_s.begin() + at, t.t_s[i] - last_s);
+      t.speed_mps.insert(t.speed_mps.begin() + at, brakes_mps2 * last_s);
+      t.heading_rad.insert(t.heading_rad.begin() + at, t.heading_rad[i]);
+      t.curvature_per_m.insert(t.curvature_per_m.begin() + at, t.curvature_per_m[i]);
+      t.tool.insert(t.tool.begin() + at, t.tool[i - 1]);
+      ++stops;
+    }
+  REQUIRE(stops > 5);
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
 TEST_CASE("the list of places to look at names ten approaches and ten bends", "[verify]") {
   const WatchList list = watch_list(written(sample("with_pond.geojson"), ""));
   REQUIRE(list.closest.size() == 10);

@@ -41,13 +41,18 @@ bool stands_near(const Driven& driven, double way_m) {
   return false;
 }
 
+bool at_rest(const Moment& a, const Moment& b) {
+  constexpr double kStill_mps = 1e-3;
+  return b.way_m - a.way_m <= kNear_m / 2 && std::max(a.speed_mps, b.speed_mps) <= kStill_mps;
+}
+
 /// The time between two moments belongs to the piece that is driven between them; at rest, to the one that
 /// stands.
 void add_times(Sums& sums, const Driven& driven) {
   for (std::size_t i = 1; i < driven.moments.size(); ++i) {
     const Moment& a = driven.moments[i - 1];
     const Moment& b = driven.moments[i];
-    if (b.way_m - a.way_m > kNear_m / 2 || !stands_near(driven, a.way_m)) {
+    if (!at_rest(a, b) || !stands_near(driven, a.way_m)) {
       add(sums, driven.pieces[driven.stop((a.way_m + b.way_m) / 2).piece].record(), 0, b.t_s - a.t_s);
       continue;
     }
