@@ -2,12 +2,14 @@
 #include "test.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "field_samples.hpp"
 #include "plan_check.hpp"
 #include "selion/field/frame.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
+#include "verify_samples.hpp"
 
 using namespace selion;
 
@@ -109,4 +111,29 @@ TEST_CASE("a post by the gate has the drive start elsewhere, in the order that i
     return std::string{};
   }();
   CHECK(first == "swath");
+}
+
+TEST_CASE("gates are counted over all blocks, planned or not", "[plan][gate]") {
+  Field field = field_of_metres({{{{0, 0}, {60, 0}, {60, 50}, {0, 50}}, {}},
+                                 {{{70, 0}, {72, 0}, {72, 1600}, {70, 1600}}, {}},
+                                 {{{80, 0}, {142, 0}, {142, 50}, {80, 50}}, {}}});
+  const auto at = [&](std::size_t part, std::size_t corner) { return field.parts.at(part).shell.at(corner); };
+  for (const LonLat corner : {at(2, 0), at(1, 0), at(0, 0), at(2, 2)})
+    field.gates.push_back({"", corner, {}});
+  const int start = GENERATE(1, 2, 3);
+  CAPTURE(start);
+
+  const PlanFile file = written(
+      field, "[machine]\npreset = \"robot-3m\"\n[route]\nstart = \"gate:" + std::to_string(start) + "\"\n");
+
+  REQUIRE(file.gates.size() == 4);
+  CHECK(file.gates.at(0).block == 1);  // the strip, too narrow for the machine
+  REQUIRE(file.trajectories.size() == 2);
+  const auto begins_near = [](const TrajectoryRecord& t, LonLat gate) {
+    return std::hypot(t.line.front().lon_deg - gate.lon_deg, t.line.front().lat_deg - gate.lat_deg) < 1e-4;
+  };
+  CHECK(file.trajectories.at(0).block == 2);
+  CHECK(begins_near(file.trajectories.at(0), at(2, start == 3 ? 2 : 0)));
+  CHECK(begins_near(file.trajectories.at(1), at(0, 0)));
+  CHECK(text_of(verify(file, std::nullopt)) == "");
 }

@@ -55,12 +55,15 @@ void attach_gates(const Field& field, const LocalFrame& frame, Blocks& into) {
       owner = &block;
     }
     if (owner != nullptr && best.away_m <= kReach_m)
-      owner->gates.push_back({gate.name, best.at, best.inward_rad, gate.width_m});
+      owner->gates.push_back({gate.name, best.at, best.inward_rad, gate.width_m, 0});
     else
       into.notes.push_back(field.source + ": the gate '" + gate.name + "' at " + place(gate.at) +
                            " is left out, being " + fixed(best.away_m, 1) +
                            " m from the border; a gate must lie within 20 m of it");
   }
+  int number = 0;
+  for (Block& block : into.blocks)
+    for (BlockGate& gate : block.gates) gate.number = ++number;
 }
 
 }  // namespace selion

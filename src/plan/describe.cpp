@@ -158,6 +158,8 @@ Plan described(const Field& field, const Job& job, const LocalFrame& frame, cons
   FieldRecord record{{}, field.name, 0, plan.notes};
   for (const Block& block : cleaned.blocks) {
     record.parts.push_back(to_lonlat(frame, block.area));
+    for (const BlockGate& gate : block.gates)
+      plan.file.gates.push_back({block.number, frame.to_lonlat(gate.at), gate.name, gate.width_m});
     record.area_m2 += area_m2(block.area);
   }
   if (cleaned.blocks.size() > 1)
@@ -173,23 +175,29 @@ std::string block_name(const Block& block, const Blocks& all) {
   return all.blocks.size() > 1 ? "block " + std::to_string(block.number) + ": " : std::string{};
 }
 
+namespace {
+
+std::optional<std::size_t> named_gate(const Block& block, const std::string& start) {
+  for (std::size_t i = 0; i < block.gates.size(); ++i)
+    if (start == "gate:" + std::to_string(block.gates[i].number)) return i;
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::size_t> gate_of(const Block& block, const std::string& start) {
   if (block.gates.empty()) return std::nullopt;
-  if (start.empty()) return 0;
-  const std::string wanted = start.starts_with("gate:") ? start.substr(5) : start;
-  for (std::size_t i = 0; i < block.gates.size(); ++i)
-    if (block.gates[i].name == wanted || std::to_string(i + 1) == wanted) return i;
-  return std::nullopt;
+  return named_gate(block, start).value_or(0);
 }
 
 void check_start(const Blocks& blocks, const std::string& start) {
   if (start.empty()) return;
   std::string there;
   for (const Block& block : blocks.blocks) {
-    if (gate_of(block, start)) return;
-    for (std::size_t i = 0; i < block.gates.size(); ++i)
-      there += (there.empty() ? "" : ", ") + std::string{"gate:"} + std::to_string(i + 1) +
-               (block.gates[i].name.empty() ? "" : " (" + block.gates[i].name + ")");
+    if (named_gate(block, start)) return;
+    for (const BlockGate& gate : block.gates)
+      there += (there.empty() ? "" : ", ") + std::string{"gate:"} + std::to_string(gate.number) +
+               (gate.name.empty() ? "" : " (" + gate.name + ")");
   }
   throw InputError{"route.start = \"" + start + "\": the field has no such gate; " +
                    (there.empty() ? "it has none" : "there is " + there)};

@@ -20,8 +20,8 @@ BlockReport refused(const Block& block, const Infeasible& why);
 std::vector<std::string> notes_of(const PlannedBlock& planned);
 /// "block 2: " where there are several, else nothing.
 std::string block_name(const Block& block, const Blocks& all);
-/// Index of the gate that `start` ("gate:2" or "gate:NAME") names; the first one where it is empty.
-/// Absent where the block has no such gate.
+/// Index of the gate that `start` ("gate:2") names; the first one where it names none of the block's. Absent
+/// where the block has no gate.
 std::optional<std::size_t> gate_of(const Block& block, const std::string& start);
 
 /// @throws InputError where `start` names a gate that no block has.

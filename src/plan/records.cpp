@@ -156,8 +156,6 @@ void add_records(PlanFile& file, const PlannedBlock& planned, const Drive& drive
   for (const BlockObstacle& obstacle : block.obstacles)
     file.obstacles.push_back(
         {block.number, to_lonlat(frame, obstacle.area), obstacle.name, name_of(obstacle.kind)});
-  for (const BlockGate& gate : block.gates)
-    file.gates.push_back({block.number, frame.to_lonlat(gate.at), gate.name, gate.width_m});
   const AbLine& ab = planned.layout.ab;
   const double bearing = true_bearing_deg(frame, ab.a, heading_rad(ab.b - ab.a));
   CellRecord cell{block.number, "1", {}, std::fmod(bearing, 180)};

@@ -73,32 +73,31 @@ bool is_whole(const Case& plan) {
   });
 }
 
-/// The gates that the job lets the machine drive through: one a block, the first where it names none.
-std::vector<const GateRecord*> gates_used(const Case& plan) {
+/// By its number among all gates; null where there is none.
+const GateRecord* named_gate(const Case& plan) {
   const std::string& start = plan.vehicle.work.start;
-  const std::string wanted = start.starts_with("gate:") ? start.substr(5) : start;
-  std::map<int, int> numbers;
+  for (std::size_t i = 0; i < plan.plan.gates.size(); ++i)
+    if (start == "gate:" + std::to_string(i + 1)) return &plan.plan.gates[i];
+  return nullptr;
+}
+
+/// The gates that the machine may drive through: one a block, the first where the job names none of it.
+std::map<int, const GateRecord*> gates_used(const Case& plan) {
   std::map<int, const GateRecord*> used;
-  for (const GateRecord& gate : plan.plan.gates) {
-    const std::string number = std::to_string(++numbers[gate.block]);
-    if (start.empty() || gate.name == wanted || number == wanted) used.try_emplace(gate.block, &gate);
-  }
-  std::vector<const GateRecord*> gates;
-  gates.reserve(used.size());
-  for (const auto& [block, gate] : used) gates.push_back(gate);
-  return gates;
+  if (const GateRecord* named = named_gate(plan)) used.emplace(named->block, named);
+  for (const GateRecord& gate : plan.plan.gates) used.try_emplace(gate.block, &gate);
+  return used;
 }
 
 /// The gate that the job names is there, unless it may belong to a block that is not planned, and is wide
 /// enough.
 void check_start(Case& plan) {
-  const std::vector<const GateRecord*> used = gates_used(plan);
-  for (const GateRecord* gate : used) {
+  for (const auto& [block, gate] : gates_used(plan)) {
     check_width(plan, *gate);
     check_driven_through(plan, *gate);
   }
   const std::string& start = plan.vehicle.work.start;
-  if (!start.empty() && used.empty() && is_whole(plan))
+  if (!start.empty() && named_gate(plan) == nullptr && is_whole(plan))
     plan.findings.add("gate", 0, std::nullopt, {},
                       "the drive is to start at " + start + "; the plan has no such gate");
 }

@@ -25,6 +25,7 @@ struct BlockGate {
   Point at;               ///< on the border
   double inward_rad = 0;  ///< heading into the block, across the border
   std::optional<double> width_m;
+  int number = 1;  ///< among all gates of the field, block by block
 
   friend bool operator==(const BlockGate&, const BlockGate&) = default;
 };
