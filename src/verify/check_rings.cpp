@@ -8,12 +8,10 @@
 namespace selion::verifying {
 namespace {
 
-constexpr double kStray_m = 0.05;    // what lines of passes may stray along borders that are not straight
-constexpr double kDrivable_m = 0.2;  // what each ring strays from the one outside it where it must; more
-constexpr double kStray = 0.12;      // widths past slits
-constexpr double kMostStray = 0.4;
-constexpr double kMostBehind = 0.7;  // of a pass's places
-constexpr double kLong = 8;          // widths
+constexpr double kStray_m = 0.05;  // what lines of passes may stray along borders that are not straight
+constexpr double kBehind = 0.5;    // of a pass's places
+constexpr double kMostBehind = 0.7;
+constexpr double kLong = 8;  // widths
 constexpr double kLongRing_m = 100;
 constexpr double kStep_m = 2;     // from place to place of a line
 constexpr int kMostPlaces = 200;  // of it
@@ -46,10 +44,7 @@ std::vector<Point> places_of(const std::vector<Point>& line) {
 class RingCheck {
  public:
   RingCheck(Case& plan, const Ground& ground)
-      : plan_{plan},
-        ground_{ground},
-        around_{border_of(ground.free)},
-        border_{ground.edge} {
+      : plan_{plan}, ground_{ground}, around_{border_of(ground.free)}, border_{ground.edge} {
     std::map<int, std::vector<Shape>> rings;
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes)
       if (pass.block == ground_.block)
@@ -67,7 +62,7 @@ class RingCheck {
             " of a headland of " + std::to_string(headland.passes) + " passes");
       const std::vector<Point> places = places_of(line);
       const double usual = usual_distance_m(places, around_);
-      lies_far_in(pass, line, usual);
+      lies_far_in(pass, line, places, usual);
       lies_outermost_of_its_ring(pass, line, places);
       keeps_margin(pass, line, is_bare ? usual : usual_distance_m(places, border_));
     }
@@ -84,22 +79,16 @@ class RingCheck {
     return length_m(line) >= kLong * plan_.vehicle.machine.working_width_m;
   }
 
-  /// What a short ring may lie nearer to the border than it should.
-  [[nodiscard]] double strays_m(int ring) const {
-    const double spacing = ring_spacing_m(plan_.vehicle);
-    const double past_slits = std::min((ring - 1) * kStray, kMostStray) * spacing;
-    return std::max(std::min(ring * kDrivable_m, spacing / 4), past_slits);
-  }
-
-  /// Rings are numbered from the border, each lies a width farther in, or more.
-  void lies_far_in(const HeadlandPassRecord& pass, const std::vector<Point>& line, double usual) {
+  /// Rings are numbered from the border, each lies a width farther in, or more; where it cannot, another lies
+  /// between it and the border.
+  void lies_far_in(const HeadlandPassRecord& pass, const std::vector<Point>& line,
+                   const std::vector<Point>& places, double usual) {
     const double spacing = ring_spacing_m(plan_.vehicle);
     const double told = half_tool_m(plan_.vehicle) + (pass.ring - 1) * spacing;
-    const double strays = length_m(line) < kLongRing_m ? strays_m(pass.ring) : 0;
-    if (!(usual >= told - spacing / 2 - strays))
-      say(pass, line, {usual, told},
-          ", " + shown(told, 1) + " m or more from border and obstacles; it lies " + shown(usual, 1) +
-              " m off");
+    if (usual >= told - spacing / 2 || (pass.ring > 1 && behind(places, pass.ring - 1) > kBehind)) return;
+    say(pass, line, {usual, told},
+        ", " + shown(told, 1) + " m or more from border and obstacles; it lies " + shown(usual, 1) +
+            " m off");
   }
 
   /// Between a long pass and the border lie passes of rings further out, none of its own or from further in.
@@ -107,12 +96,15 @@ class RingCheck {
   void lies_outermost_of_its_ring(const HeadlandPassRecord& pass, const std::vector<Point>& line,
                                   const std::vector<Point>& places) {
     if (!is_long(line) || length_m(line) < kLongRing_m) return;
-    const auto behind = static_cast<std::size_t>(
-        std::ranges::count_if(places, [&](Point p) { return is_behind(p, pass.ring); }));
-    const double most = kMostBehind * static_cast<double>(places.size());
-    if (static_cast<double>(behind) > most)
-      say(pass, line, {static_cast<double>(behind), most},
+    if (const double share = behind(places, pass.ring); share > kMostBehind)
+      say(pass, line, {share, kMostBehind},
           "; between it and the border lies another of that ring, or of one further in");
+  }
+
+  /// The share of the places that lie behind a pass of that ring, or of one further in, seen from the border.
+  [[nodiscard]] double behind(const std::vector<Point>& places, int ring) const {
+    const auto count = std::ranges::count_if(places, [&](Point p) { return is_behind(p, ring); });
+    return static_cast<double>(count) / static_cast<double>(places.size());
   }
 
   /// Half a width off what is driven at the place itself.
@@ -137,6 +129,7 @@ class RingCheck {
   /// Of half of a line's places: it cuts corners and swings out round others. Past slits it leads far off.
   [[nodiscard]] static double usual_distance_m(const std::vector<Point>& places, const Prepared& border) {
     std::vector<double> off;
+    off.reserve(places.size());
     for (const Point p : places) off.push_back(border.distance_m(std::array{p}));
     const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
     std::ranges::nth_element(off, middle);
