@@ -55,11 +55,15 @@ Polygons without_slits(const Ground& ground, const Polygons& areas) {
 
 constexpr double kLeastInSlit = 1.5;  // of the working width: a shorter run is not worth a pass
 
-/// Along one side of the slit, and along the other where that works more.
+/// Along one side of the slit, and along others where that works more. A machine that drives forwards only
+/// gets out of no dead end: it drives round in the slit, or not at all.
 void add_runs_in(const Ground& ground, const Polygon& slit, double room_m, std::vector<HeadlandRun>& runs) {
   constexpr double kLeastNew = 0.15;  // of the working width, not worked by the runs before
   const double width_m = ground.machine.working_width_m;
-  std::vector<HeadlandRun> sides = drivable_along(ground, slit.shell, room_m);
+  std::vector<HeadlandRun> sides;
+  for (const Ring& side : rings_of({slit}))
+    for (HeadlandRun& run : drivable_along(ground, side, room_m))
+      if (run.closed || ground.machine.may_reverse) sides.push_back(std::move(run));
   std::stable_sort(sides.begin(), sides.end(), [](const HeadlandRun& a, const HeadlandRun& b) {
     return length_m(a.path) > length_m(b.path);
   });
@@ -74,11 +78,10 @@ void add_runs_in(const Ground& ground, const Polygon& slit, double room_m, std::
   }
 }
 
-/// In long slits, which no ring goes round in: a machine that may reverse gets out of their dead ends.
+/// In long slits, which no ring goes round in side by side.
 std::vector<HeadlandRun> runs_in_slits(const Ground& ground, const Polygons& all, const Polygons& wide,
                                        double room_m) {
   std::vector<HeadlandRun> runs;
-  if (!ground.machine.may_reverse) return runs;
   for (const Polygon& slit : subtract(all, outset_round(wide, kFollow_m))) {
     const Box box = bounds(slit.shell);
     if (distance_m(box.low, box.high) >= 2 * kLeastInSlit * ground.machine.working_width_m)
@@ -126,19 +129,46 @@ double swing_out_room_m(const Ground& ground, int ring) {
   return ground.edge_margin_m + ring_inset_m(ground, ring) - ground.half_m;
 }
 
+namespace {
+
+std::vector<HeadlandRun> runs_at(const Ground& ground, double inset_m, double room_m) {
+  const Polygons all = inset(ground.workable, inset_m);
+  const Polygons wide = without_slits(ground, all);
+  std::vector<HeadlandRun> runs;
+  for (const Ring& line : rings_of(wide)) {
+    std::vector<HeadlandRun> along = drivable_along(ground, line, room_m);
+    runs.insert(runs.end(), std::make_move_iterator(along.begin()), std::make_move_iterator(along.end()));
+  }
+  std::vector<HeadlandRun> narrow = runs_in_slits(ground, all, wide, room_m);
+  runs.insert(runs.end(), std::make_move_iterator(narrow.begin()), std::make_move_iterator(narrow.end()));
+  return runs;
+}
+
+void add_ring(const Ground& ground, int ring, double inset_m, std::vector<HeadlandPass>& laid) {
+  for (HeadlandRun& run : runs_at(ground, inset_m, swing_out_room_m(ground, ring)))
+    laid.push_back(pass_of(ground, laid.size() + 1, ring, std::move(run)));
+}
+
+}  // namespace
+
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
   std::vector<HeadlandPass> laid;
-  for (int ring = 1; ring <= passes; ++ring) {
-    const Polygons all = inset(ground.workable, ring_inset_m(ground, ring));
-    const Polygons wide = without_slits(ground, all);
-    const double room_m = swing_out_room_m(ground, ring);
-    const auto lay = [&](std::vector<HeadlandRun> runs) {
-      for (HeadlandRun& run : runs) laid.push_back(pass_of(ground, laid.size() + 1, ring, std::move(run)));
-    };
-    for (const Ring& line : rings_of(wide)) lay(drivable_along(ground, line, room_m));
-    lay(runs_in_slits(ground, all, wide, room_m));
-  }
+  for (int ring = 1; ring <= passes; ++ring) add_ring(ground, ring, ring_inset_m(ground, ring), laid);
   return laid;
+}
+
+void lay_between(const Ground& ground, int passes, std::vector<HeadlandPass>& laid) {
+  constexpr double kStep_m = 0.1;
+  constexpr double kLeastBetween = 0.15;  // of the working width
+  if (passes == 0) return;
+  double within_m = ring_inset_m(ground, passes);
+  double beyond_m = ring_inset_m(ground, passes + 1);
+  const double least_m = within_m + (1 + kLeastBetween) * ground.machine.working_width_m / 2;
+  while (beyond_m - within_m > kStep_m) {
+    const double middle_m = (within_m + beyond_m) / 2;
+    (inset(ground.workable, middle_m).empty() ? beyond_m : within_m) = middle_m;
+  }
+  if (within_m >= least_m) add_ring(ground, passes + 1, within_m, laid);
 }
 
 }  // namespace selion

@@ -51,6 +51,7 @@ Result<Layout> lay_passes_alone(Layout layout, const Block& block, const Ground&
                                 const LayoutOptions& options) {
   layout.passes = passes_that_meet(ground).value_or(0);
   layout.headland_passes = lay_headland(ground, layout.passes);
+  lay_between(ground, layout.passes, layout.headland_passes);
   if (layout.headland_passes.empty())
     return Infeasible{"headland passes alone are for ground hardly wider than the machine"};
   layout.passes = layout.headland_passes.back().ring;  // the innermost one may be too small to be driven

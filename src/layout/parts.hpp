@@ -59,6 +59,9 @@ double ring_inset_m(const Ground& ground, int ring);
 double mainland_inset_m(const Ground& ground, int passes);
 
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes);
+/// One more ring, in the middle of what the innermost of `passes` leave between them, where that is too
+/// narrow for one beside them.
+void lay_between(const Ground& ground, int passes, std::vector<HeadlandPass>& laid);
 
 /// A drivable path, all around or a part of the way.
 struct HeadlandRun {

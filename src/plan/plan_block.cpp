@@ -32,6 +32,40 @@ bool is_well_covered(const Result<PlannedBlock>& planned) {
   return planned && covers(*planned, kPlannedShare);
 }
 
+struct Driven {
+  double all_m = 0;
+  double work_m = 0;
+};
+
+Driven driven_on(const Route& route) {
+  Driven driven;
+  for (const RoutePiece& piece : route.pieces) {
+    const double length = length_m(piece.path);
+    const bool works = piece.kind == PieceKind::swath || piece.kind == PieceKind::headland_pass;
+    driven.all_m += length;
+    if (works) driven.work_m += length;
+  }
+  return driven;
+}
+
+/// Much of the drive is not work: between short swaths in a bend.
+bool wanders(const PlannedBlock& planned) {
+  constexpr double kMostlyWork = 0.68;
+  const Driven driven = driven_on(planned.route);
+  return driven.work_m < kMostlyWork * driven.all_m;
+}
+
+bool drives_less(const PlannedBlock& a, const PlannedBlock& b) {
+  constexpr double kLess = 0.95;
+  return driven_on(a.route).all_m < kLess * driven_on(b.route).all_m;
+}
+
+constexpr double kNoLess = 0.01;  // of a block's area
+
+bool covers_no_less(const PlannedBlock& a, const PlannedBlock& b) {
+  return a.coverage.covered_m2 >= b.coverage.covered_m2 - kNoLess * area_m2(b.block.area);
+}
+
 /// Not all that lines cover is reached: to promise a hair more is not worth a try, unless the block would be
 /// well covered.
 bool promises_more(double lines_m2, double beyond_m2, const Block& block) {
@@ -123,11 +157,8 @@ class BlockPlanner {
     constexpr double kWorthIt = 0.5;
     const auto options = layout_options(block_, frame_, job);
     if (!options) return options.error();
-    auto best = with_fewer_passes(job, passes_for_turns(block_, job.machine, *options));
-    if (!is_well_covered(best)) {
-      auto along = with_passes_alone(job, covered_m2(best));
-      if (covers_more(along, best)) best = std::move(along);
-    }
+    auto best =
+        or_along_borders(with_fewer_passes(job, passes_for_turns(block_, job.machine, *options)), job);
     if (best && !covers(*best, kWorthIt)) return hardly_covered(refused, *best);
     return best;
   }
@@ -143,6 +174,18 @@ class BlockPlanner {
       if (!best || covers_more(other, best)) best = std::move(other);
     }
     return best;
+  }
+
+  /// Where swaths cover it badly, or most of the drive leads from one to the next.
+  [[nodiscard]] Result<PlannedBlock> or_along_borders(Result<PlannedBlock> best, const Job& job) const {
+    if (!is_well_covered(best)) {
+      auto along = with_passes_alone(job, covered_m2(best));
+      return covers_more(along, best) ? std::move(along) : std::move(best);
+    }
+    if (!wanders(*best)) return best;
+    auto along = with_passes_alone(job, covered_m2(best) - 2 * kNoLess * area_m2(block_.area));
+    return along && covers_no_less(*along, *best) && drives_less(*along, *best) ? std::move(along)
+                                                                                : std::move(best);
   }
 
   [[nodiscard]] Result<PlannedBlock> with_passes_alone(const Job& job, double beyond_m2) const {
