@@ -84,7 +84,7 @@ std::string fewer_note(int passes, int needed) {
 std::string passes_alone_note(int passes) {
   return "It is worked along its borders, by " + std::to_string(passes) +
          (passes == 1 ? " headland pass" : " headland passes") +
-         " alone: it is too narrow, or bends too much, for swaths to cover more.";
+         " alone: it is too narrow, or bends too much, for swaths to do better.";
 }
 
 Infeasible hardly_covered(const Infeasible& why, const PlannedBlock& best) {
