@@ -184,8 +184,9 @@ class BlockPlanner {
     }
     if (!wanders(*best)) return best;
     auto along = with_passes_alone(job, covered_m2(best) - 2 * kNoLess * area_m2(block_.area));
-    return along && covers_no_less(*along, *best) && drives_less(*along, *best) ? std::move(along)
-                                                                                : std::move(best);
+    return is_well_covered(along) && covers_no_less(*along, *best) && drives_less(*along, *best)
+               ? std::move(along)
+               : std::move(best);
   }
 
   [[nodiscard]] Result<PlannedBlock> with_passes_alone(const Job& job, double beyond_m2) const {
