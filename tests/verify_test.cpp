@@ -390,6 +390,25 @@ TEST_CASE("along a fence that stands on the border its own clearance is kept, no
   CHECK(text_of(verify(nearer, std::nullopt)).find("a cell lies") != std::string::npos);
 }
 
+TEST_CASE("ground that is ten widths wide is worked by ten strips, a hair more or less", "[verify]") {
+  const double more_m = GENERATE(-0.005, -1e-4, -1e-6, 0.0, 1e-6, 1e-4, 0.005, 0.02);
+  CAPTURE(more_m);
+  const double high = 2 * (0.3 + 3 + 2.98) + 10 * 3 + more_m;
+  const Field field = field_of_metres({{{{0, 0}, {200, 0}, {200, high}, {0, high}}, {}}});
+  const PlanFile plan = written(field, "[machine]\npreset = \"robot-3m\"\n[headland]\npasses = 2\n");
+  CHECK(plan.swaths.size() == (more_m > 0.01 ? 11 : 10));
+  CHECK(text_of(verify(plan, std::nullopt)) == "");
+}
+
+TEST_CASE("a hole too thin to be seen keeps its own clearance, not the edge margin", "[verify]") {
+  const double thin_m = GENERATE(0.002, 0.008, 0.015, 0.03);
+  CAPTURE(thin_m);
+  const Field field = field_of_metres({{{{0, 0}, {200, 0}, {200, 120}, {0, 120}},
+                                        {{{60, 60}, {60, 60 + thin_m}, {140, 60 + thin_m}, {140, 60}}}}});
+  const std::string job = "[machine]\npreset = \"robot-3m\"\n[field]\nobstacle_clearance_m = 0\n";
+  CHECK(text_of(verify(written(field, job), std::nullopt)) == "");
+}
+
 TEST_CASE("work that begins where other work ends is gone on with, however they are rounded", "[verify]") {
   const double east_deg = GENERATE(299.0, 299.5, 300.0) / 68677;
   const double north_deg = 3.7 / 111267;

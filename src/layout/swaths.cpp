@@ -35,9 +35,10 @@ std::vector<Strip> strips_from_line(double line_m, AxisExtent across, double wid
   return strips;
 }
 
-/// From the low side; the last one is shifted back to end with the area.
+/// From the low side; the last one is shifted back to end with the area. No strip is added for what no border
+/// is known to.
 std::vector<Strip> strips_to_fit(AxisExtent across, double width_m, double spacing_m) {
-  constexpr double kSame_m = 1e-6;
+  constexpr double kSame_m = 0.01;
   const double span = across.high_m - across.low_m;
   if (span <= width_m + kSame_m) return {{1, (across.low_m + across.high_m) / 2}};
   const int count = static_cast<int>(std::ceil((span - width_m - kSame_m) / spacing_m)) + 1;

@@ -53,7 +53,7 @@ class RingCheck {
   }
 
   void run(const HeadlandRecord& headland) {
-    const bool is_bare = !(area_m2(ground_.kept) > 0);
+    const bool is_bare = !(area_m2(ground_.kept) > 0) && lines_of(around_.shape()).size() == 1;
     for (const HeadlandPassRecord& pass : plan_.plan.headland_passes) {
       if (pass.block != ground_.block) continue;
       const std::vector<Point> line = plan_.plane.to_local(pass.line);
