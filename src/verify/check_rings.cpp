@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStray_m = 0.05;  // what lines of passes may stray along borders that are not straight
 constexpr double kBehind = 0.5;    // of a pass's places
-constexpr double kMostBehind = 0.7;
+constexpr double kMostBehind = 0.9;
 constexpr double kLong = 8;  // widths
 constexpr double kLongRing_m = 100;
 constexpr double kStep_m = 2;     // from place to place of a line
