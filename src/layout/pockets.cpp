@@ -142,7 +142,8 @@ std::optional<Swath> fitted(const Ground& ground, const Swath& piece) {
   return Swath{"", 0, way.from + fit.low_m * axis, way.from + fit.high_m * axis};
 }
 
-/// Ends where a swath of the same line begins, not a rounding beyond: the machine would have to back up by it.
+/// Ends where a swath of the same line begins, not a rounding beyond: the machine would have to back up by
+/// it.
 void meet(Swath& piece, const std::vector<Swath>& swaths) {
   constexpr double kRounding_m = 1e-4;
   const Point axis = (1 / distance_m(piece.from, piece.to)) * (piece.to - piece.from);

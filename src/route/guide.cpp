@@ -25,8 +25,8 @@ Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& 
                    std::min(field.high.y_m, all.high.y_m + margin_m)};
   const Point size = high - low_;
   const double side_m = std::max(size.x_m, size.y_m);
-  cell_m_ = std::max({kLeastCell_m, std::min(side_m / cells, terrain.machine.working_width_m),
-                      side_m / kMostCells});
+  cell_m_ = std::max(
+      {kLeastCell_m, std::min(side_m / cells, terrain.machine.working_width_m), side_m / kMostCells});
   columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 1;
   rows_ = static_cast<std::size_t>(std::max(0.0, size.y_m) / cell_m_) + 1;
   distance_.assign(columns_ * rows_, kFar);

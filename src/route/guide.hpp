@@ -19,8 +19,8 @@ class Guide {
  public:
   static constexpr double kMostCells = 500;  // a side
 
-  /// Over the field within `margin_m` of the box around all poses, by so many `cells` a side; more where these
-  /// would be wider than the tool, for then none may fit on the headland.
+  /// Over the field within `margin_m` of the box around all poses, by so many `cells` a side; more where
+  /// these would be wider than the tool, for then none may fit on the headland.
   Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& goals, double margin_m,
         double cells = kMostCells);
 

@@ -95,8 +95,8 @@ void add_grounds(Case& plan, const std::vector<LonLatArea>& parts) {
     const Shape room = without(grown(area, kInside_m), standing.hard);
     const Shape border = border_of(filled(area));
     plan.grounds.push_back({static_cast<int>(plan.grounds.size()) + 1, area,
-                            beside_obstacles ? without(border, beside_obstacles) : border,
-                            standing.obstacles, standing.kept, without(area, standing.kept), Prepared{room},
+                            beside_obstacles ? without(border, beside_obstacles) : border, standing.obstacles,
+                            standing.kept, without(area, standing.kept), Prepared{room},
                             Border{border_of(room)}});
   }
 }
