@@ -176,7 +176,7 @@ class BlockPlanner {
     return best;
   }
 
-  /// Where swaths cover it badly, or most of the drive leads from one to the next.
+  /// Where swaths cover it badly, or much of the drive leads from one to the next.
   [[nodiscard]] Result<PlannedBlock> or_along_borders(Result<PlannedBlock> best, const Job& job) const {
     if (!is_well_covered(best)) {
       auto along = with_passes_alone(job, covered_m2(best));
