@@ -167,9 +167,9 @@ TEST_CASE("a far transfer goes round by the headland, not over rows just sown", 
 TEST_CASE("what is left of a way over a large field is known to lead along its headland", "[route]") {
   const Polygon area{{{0, 0}, {1400, 0}, {1400, 1000}, {0, 1000}}, {}};
   Ground ground{area};
-  ground.mainland = AreaIndex{{Polygon{{{6.3, 6.3}, {1393.7, 6.3}, {1393.7, 993.7}, {6.3, 993.7}}, {}}}};
-  const Pose from{{4, 4}, 0};
-  const std::vector<Pose> goal{{{1396, 996}, kPi / 2}};
+  ground.mainland = AreaIndex{{Polygon{{{4, 4}, {1396, 4}, {1396, 996}, {4, 996}}, {}}}};
+  const Pose from{{2, 2}, 0};
+  const std::vector<Pose> goal{{{1398, 998}, kPi / 2}};
   const Guide guide{ground.terrain, from, goal, std::numeric_limits<double>::infinity(), 150};
   CHECK(guide.to_goal_m(from.at) < 1400 + 1000);  // straight across costs 5100
   CHECK(guide.to_goal_m({700, 500}) > 0.9 * 3 * 490);
