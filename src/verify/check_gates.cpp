@@ -67,12 +67,6 @@ void check_driven_through(Case& plan, const GateRecord& gate) {
   }
 }
 
-bool is_whole(const Case& plan) {
-  return std::ranges::all_of(plan.grounds, [&](const Ground& ground) {
-    return std::ranges::any_of(plan.drives, [&](const Driven& d) { return d.record->block == ground.block; });
-  });
-}
-
 /// By its number among all gates; null where there is none.
 const GateRecord* named_gate(const Case& plan) {
   const std::string& start = plan.vehicle.work.start;
@@ -89,15 +83,14 @@ std::map<int, const GateRecord*> gates_used(const Case& plan) {
   return used;
 }
 
-/// The gate that the job names is there, unless it may belong to a block that is not planned, and is wide
-/// enough.
+/// The gate that the job names is there, and those used are wide enough.
 void check_start(Case& plan) {
   for (const auto& [block, gate] : gates_used(plan)) {
     check_width(plan, *gate);
     check_driven_through(plan, *gate);
   }
   const std::string& start = plan.vehicle.work.start;
-  if (!start.empty() && named_gate(plan) == nullptr && is_whole(plan))
+  if (!start.empty() && named_gate(plan) == nullptr)
     plan.findings.add("gate", 0, std::nullopt, {},
                       "the drive is to start at " + start + "; the plan has no such gate");
 }
