@@ -391,3 +391,20 @@ TEST_CASE("a machine that pivots works a field without a headland by backing a l
   const BlockReport& block = planned->blocks.at(0);
   CHECK(block.turn_m + block.transfer_m < 0.3 * block.work_m);
 }
+
+TEST_CASE("a long way between work leads no farther round than it must", "[plan]") {
+  const Job job = job_of_toml(
+      "[machine]\npreset = \"tractor-6m\"\nmin_turn_radius_m = 6\n"
+      "[field]\nedge_margin_m = 0.05\nobstacle_clearance_m = 0.05\n");
+  const auto planned = plan(sample("f3.geojson"), job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  double longest_m = 0;
+  double way_m = 0;
+  for (const TrajectoryRecord& trajectory : planned->file.trajectories)
+    for (const PieceRecord& piece : trajectory.pieces) {
+      way_m = piece.ref.empty() ? way_m + piece.length_m : 0;
+      longest_m = std::max(longest_m, way_m);
+    }
+  CHECK(longest_m > 400);  // from the far corner to what is left at the border
+  CHECK(longest_m < 470);
+}

@@ -72,6 +72,8 @@ class Frontier {
   [[nodiscard]] std::vector<const Link*> way_to(std::size_t node) const;
   /// Of the nodes from `first` on, the one reached most cheaply, if any.
   [[nodiscard]] std::optional<std::size_t> cheapest_from(std::size_t first) const;
+  /// Of the way by which it is reached; infinite where it is not.
+  [[nodiscard]] double cost_m(std::size_t node) const;
   /// All nodes reached, in order.
   [[nodiscard]] std::vector<std::size_t> reached() const;
 
@@ -81,7 +83,6 @@ class Frontier {
     std::size_t parent = kStart;
     const Link* by = nullptr;
   };
-  [[nodiscard]] double cost_m(std::size_t node) const;
 
   std::size_t serial_ = 0;
   std::unordered_map<std::size_t, Reached> reached_;

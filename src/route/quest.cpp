@@ -14,11 +14,12 @@ namespace {
 constexpr std::size_t kMostVisited = 40000;
 constexpr std::size_t kSoon = 60;         // visited
 constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
-constexpr double kGreed = 2;              // weight of the distance to go
 constexpr double kLeapsLater = 1.5;       // weight of a turn from afar straight to a goal
 constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
 constexpr double kFar = 2;                // reaches: further off, dearer ground counts
 constexpr double kVeryFar = 8;            // reaches: there it counts from the first
+constexpr double kLong = 5;               // reaches: a way that costs so much is searched for with care
+constexpr double kWellFound = 1.15;       // unless it costs no more than so many times the least
 constexpr double kGuideCells = 150;       // a side
 
 Link known_link(std::size_t to, const Path& path, double cost_m) {
@@ -67,7 +68,7 @@ double Quest::rest_m(std::size_t node) {
   if (!is_new) return known->second;
   const Pose& here = pose(node);
   const double guided_m = guide_ ? guide_->to_goal_m(here.at) : 0;
-  return known->second = kGreed * std::max(dubins_m(here), std::isinf(guided_m) ? 0 : guided_m);
+  return known->second = greed_ * std::max(dubins_m(here), std::isinf(guided_m) ? 0 : guided_m);
 }
 
 /// Far from where a search begins and ends, junctions are enough.
@@ -194,45 +195,18 @@ std::optional<std::size_t> Quest::found() {
 std::optional<Arrival> Quest::way() {
   auto goal = found();
   if (!goal) goal = frontier_.cheapest_from(first_goal());
-  return goal ? arrival(*goal) : beyond();
+  return goal ? or_cheaper(*goal) : beyond();
 }
 
-/// Where it sets out and all nodes reached, the ones nearest to a goal first.
-std::vector<std::size_t> Quest::departures() const {
-  std::vector<std::pair<double, std::size_t>> ranked{{crow_m(starts_.front().pose.at), roads_.size()}};
-  for (const std::size_t node : frontier_.reached())
-    if (node != roads_.size()) ranked.emplace_back(crow_m(pose(node).at), node);
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<std::size_t> nodes(ranked.size());
-  std::transform(ranked.begin(), ranked.end(), nodes.begin(), [](const auto& entry) { return entry.second; });
-  return nodes;
-}
-
-/// Those that may still be reached over the ground.
-std::vector<Pose> Quest::goals_not_in_vain(const Roads::Stations& reached) const {
-  std::vector<Pose> open;
-  std::copy_if(goals_.begin(), goals_.end(), std::back_inserter(open),
-               [&](const Pose& goal) { return !roads_.searched_in_vain(goal, reached); });
-  return open;
-}
-
-/// Through the ground between the roads: from all places that they lead to.
-std::optional<Arrival> Quest::beyond() {
-  const Roads::Stations known = realm_ != nullptr ? *realm_ : stations_reached();
-  const std::vector<Pose> goals = goals_not_in_vain(known);
-  if (goals.empty()) return std::nullopt;
-  const std::vector<std::size_t> nodes = departures();
-  std::vector<Pose> poses(nodes.size());
-  std::transform(nodes.begin(), nodes.end(), poses.begin(), [&](std::size_t node) { return pose(node); });
-  auto found = searched(terrain_, poses, goals, roads_.known_ground());
-  if (!found) {
-    roads_.remember_in_vain(goals, known);
-    return std::nullopt;
-  }
-  Path whole = way_to(nodes[found->departure]);
-  append(whole, found->arrival.way);
-  const auto goal = std::find(goals_.begin(), goals_.end(), goals[found->arrival.goal]);
-  return Arrival{static_cast<std::size_t>(goal - goals_.begin()), std::move(whole)};
+/// A search in a hurry takes ways round by the far side, and over the mainland, that cost twice the least.
+Arrival Quest::or_cheaper(std::size_t goal) {
+  Arrival first = arrival(goal);
+  const double first_m = frontier_.cost_m(goal);
+  const double least_m = dubins_m(starts_.front().pose);
+  if (first_m < std::max(kLong * roads_.reach_m(), kWellFound * least_m + roads_.reach_m() / 2)) return first;
+  greed_ = 1;
+  const auto other = found(kMostVisited);
+  return other && frontier_.cost_m(*other) < first_m ? arrival(*other) : std::move(first);
 }
 
 }  // namespace selion

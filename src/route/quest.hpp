@@ -22,6 +22,8 @@ class Quest {
   std::optional<Arrival> way();
 
  private:
+  static constexpr double kGreed = 2;  // of most searches
+
   /// Where it sets out: `from`, or the end of a retreat. The turns from there are looked for when it comes
   /// up.
   struct Start {
@@ -73,6 +75,7 @@ class Quest {
   [[nodiscard]] Roads::Stations stations_reached() const;
   [[nodiscard]] std::vector<Pose> goals_not_in_vain(const Roads::Stations& reached) const;
   std::optional<Arrival> beyond();
+  Arrival or_cheaper(std::size_t goal);
 
   Roads& roads_;
   const Terrain& terrain_;
@@ -86,6 +89,7 @@ class Quest {
   std::unordered_map<std::size_t, std::vector<Link*>> to_ends_;  // from a station
   std::unordered_map<std::size_t, double> rest_m_;
   std::optional<Guide> guide_;  // over a long way
+  double greed_ = kGreed;       // weight of the distance to go
   Frontier frontier_;
 };
 
