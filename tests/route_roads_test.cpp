@@ -175,6 +175,26 @@ TEST_CASE("what is left of a way over a large field is known to lead along its h
   CHECK(guide.to_goal_m({700, 500}) > 0.9 * 3 * 490);
 }
 
+TEST_CASE("of one road the place where one stands comes first, however it is rounded, then one some way on",
+          "[route]") {
+  const Ground ground{Polygon{{{0, 0}, {100, 0}, {100, 20}, {0, 20}}, {}}};
+  Path crooked;
+  for (double x_m = 10; x_m < 90; x_m += 2)
+    crooked.push_back({line({x_m, 10}, {x_m + 2, 10}), Gear::forward});
+  KnownGround known;
+  const Roads roads{ground.terrain, {track_of(crooked, false)}, known};
+  const std::size_t here = roads.size() / 2;
+  const double off_m = GENERATE(-1e-12, 0.0, 1e-12);
+  CAPTURE(off_m);
+  const Pose& station = roads.pose(here);
+  const auto likely = roads.likely_after({station.at + Point{off_m, 0}, station.heading_rad});
+  REQUIRE(likely.size() == 2);
+  CHECK(likely.front() == here);
+  const double apart_m = roads.pose(likely.back()).at.x_m - station.at.x_m;
+  CHECK(apart_m >= 2 / ground.limits.curvature_per_m);
+  CHECK(apart_m < 2 / ground.limits.curvature_per_m + 2.1);
+}
+
 TEST_CASE("where the roads lead to no goal, the way back out of the last work still may", "[route]") {
   // a yard, and a dead end into which the machine, which drives forwards only, gets in but not round
   const Ground ground{

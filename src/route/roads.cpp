@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kTurnsTried = 10;  // from or to one place
 constexpr int kOfOneLine = 2;
+constexpr double kApart = 2;          // radii between those
+constexpr double kOnePlace_m = 1e-6;  // nearer together, a chord has no bearing
 constexpr std::size_t kNoTrack = std::numeric_limits<std::size_t>::max();
 
 long long cell_key(double x, double y) {
@@ -24,7 +26,7 @@ long long cell_key(double x, double y) {
 double guess_m(const Pose& from, const Pose& to, double radius_m) {
   const Point chord = to.at - from.at;
   const double far_m = length_m(chord);
-  const double bearing = far_m > 0 ? heading_rad(chord) : from.heading_rad;
+  const double bearing = far_m > kOnePlace_m ? heading_rad(chord) : from.heading_rad;
   return far_m + radius_m * (std::abs(wrapped(bearing - from.heading_rad)) +
                              std::abs(wrapped(to.heading_rad - bearing)));
 }
@@ -89,15 +91,21 @@ std::vector<std::size_t> Roads::likely(Point at, std::size_t but_track, Guess gu
   return best;
 }
 
+/// Two of one line lie some way apart: where the one is too close for a turn, the other need not be.
 std::vector<std::size_t> Roads::foremost(const Ranked& ranked) const {
   std::vector<std::size_t> best;
   best.reserve(kTurnsTried);
+  const double apart_m = kApart / terrain_.limits.curvature_per_m;
   for (std::size_t i = 0; i < ranked.size() && best.size() < kTurnsTried; ++i) {
     const std::size_t node = ranked[i].second;
-    const auto of_its_line = std::count_if(best.begin(), best.end(), [&](std::size_t other) {
-      return nodes_[other].track == nodes_[node].track;
-    });
-    if (of_its_line < kOfOneLine) best.push_back(node);
+    int of_its_line = 0;
+    bool is_close = false;
+    for (const std::size_t other : best) {
+      if (nodes_[other].track != nodes_[node].track) continue;
+      ++of_its_line;
+      is_close |= distance_m(pose(other).at, pose(node).at) < apart_m;
+    }
+    if (of_its_line < kOfOneLine && !is_close) best.push_back(node);
   }
   return best;
 }
