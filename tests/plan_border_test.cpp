@@ -36,6 +36,12 @@ Job forwards_4m() {
       "test"));
 }
 
+Ring circle(double radius_m) {
+  Ring corners;
+  for (int i = 0; i < 128; ++i) corners.push_back(radius_m * unit(2 * std::numbers::pi * i / 128));
+  return corners;
+}
+
 }  // namespace
 
 TEST_CASE("a border driven with a receiver's noise is worked all round, forwards only", "[plan]") {
@@ -56,12 +62,7 @@ TEST_CASE("a closed band is worked by going round in it, not by swaths across it
   const double width_m = GENERATE(14.0, 16.0, 20.0, 24.0);
   const auto* const may_reverse = GENERATE("false", "true");
   CAPTURE(width_m, may_reverse);
-  const auto ring = [](double radius_m) {
-    Ring corners;
-    for (int i = 0; i < 128; ++i) corners.push_back(radius_m * unit(2 * std::numbers::pi * i / 128));
-    return corners;
-  };
-  const Field field = field_of_metres({{ring(100), {ring(100 - width_m)}}});
+  const Field field = field_of_metres({{circle(100), {circle(100 - width_m)}}});
   const Job job = job_of(settings_of_toml(
       "[machine]\npreset = \"tractor-6m\"\nmay_reverse = " + std::string{may_reverse} + "\n", "test"));
 
@@ -71,5 +72,20 @@ TEST_CASE("a closed band is worked by going round in it, not by swaths across it
   const BlockReport& block = planned->blocks.at(0);
   CHECK(block.covered_m2 >= 0.94 * block.area_m2);
   CHECK(block.work_m + block.turn_m + block.transfer_m < 2600);
+  CHECK(faults_of(*planned, job.machine).empty());
+}
+
+TEST_CASE("a closed band in which there is room for swaths is worked by going round in it too", "[plan]") {
+  const double width_m = GENERATE(13.0, 14.0, 17.0, 20.0, 24.0);
+  CAPTURE(width_m);
+  const Field field = field_of_metres({{circle(65), {circle(65 - width_m)}}});
+  const Job job = job_of(settings_of_toml("[machine]\nmay_reverse = false\n", "test"));
+
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(block.covered_m2 >= 0.92 * block.area_m2);
+  CHECK(block.work_m + block.turn_m + block.transfer_m < 1.15 * block.area_m2 / job.machine.working_width_m);
   CHECK(faults_of(*planned, job.machine).empty());
 }

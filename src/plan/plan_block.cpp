@@ -148,8 +148,17 @@ class BlockPlanner {
   /// With as many headland passes as the job says, or turns need.
   [[nodiscard]] Result<PlannedBlock> with_headland(const Job& job) const {
     auto planned = as_told(job);
-    if (planned || job.headland.passes) return planned;
-    return inside_fewer(planned.error(), job);
+    if (job.headland.passes) return planned;
+    if (!planned) return inside_fewer(planned.error(), job);
+    return is_closed_band(job) ? or_along_borders(std::move(planned), job) : std::move(planned);
+  }
+
+  /// Round holes, and no wider than a few passes: going round and round takes no turns.
+  [[nodiscard]] bool is_closed_band(const Job& job) const {
+    constexpr double kMostPasses = 8;
+    const Polygon& area = block_.area;
+    return !area.holes.empty() &&
+           2 * area_m2(area) < kMostPasses * job.machine.working_width_m * perimeter_m(area);
   }
 
   /// Of a block too narrow for as many headland passes as turns need, unless it is hardly worth a plan.
@@ -176,13 +185,13 @@ class BlockPlanner {
     return best;
   }
 
-  /// Where swaths cover it badly, or much of the drive leads from one to the next.
+  /// Where swaths cover it badly, or much of the drive leads from one to the next, or it is a closed band.
   [[nodiscard]] Result<PlannedBlock> or_along_borders(Result<PlannedBlock> best, const Job& job) const {
     if (!is_well_covered(best)) {
       auto along = with_passes_alone(job, covered_m2(best));
       return covers_more(along, best) ? std::move(along) : std::move(best);
     }
-    if (!wanders(*best)) return best;
+    if (!wanders(*best) && !is_closed_band(job)) return best;
     auto along = with_passes_alone(job, covered_m2(best) - 2 * kNoLess * area_m2(block_.area));
     return is_well_covered(along) && covers_no_less(*along, *best) && drives_less(*along, *best)
                ? std::move(along)
