@@ -89,3 +89,34 @@ TEST_CASE("a closed band in which there is room for swaths is worked by going ro
   CHECK(block.work_m + block.turn_m + block.transfer_m < 1.15 * block.area_m2 / job.machine.working_width_m);
   CHECK(faults_of(*planned, job.machine).empty());
 }
+
+TEST_CASE("a ditch or hedge that reaches into a field is driven round, however thin it is", "[plan]") {
+  const auto [preset, thin_m] = GENERATE(table<const char*, double>({{"robot-3m", 0.1},
+                                                                     {"robot-3m", 0.5},
+                                                                     {"robot-3m", 1},
+                                                                     {"robot-3m", 1.5},
+                                                                     {"tractor-6m", 1},
+                                                                     {"tractor-6m", 3}}));
+  const bool may_reverse = GENERATE(true, false);
+  CAPTURE(preset, thin_m, may_reverse);
+  const double left_m = 100 - thin_m / 2;
+  const double right_m = 100 + thin_m / 2;
+  const Field field = field_of_metres(
+      {{{{0, 0}, {240, 0}, {240, 150}, {right_m, 150}, {right_m, 60}, {left_m, 60}, {left_m, 150}, {0, 150}},
+        {}}});
+  const Job job = job_of(settings_of_toml(std::string{"[machine]\npreset = \""} + preset +
+                                              "\"\nmay_reverse = " + (may_reverse ? "true\n" : "false\n"),
+                                          "test"));
+
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  CHECK(faults_of(*planned, job.machine).empty());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(block.covered_m2 >= 0.98 * block.area_m2);
+  double round_m = 0;
+  for (const TrajectoryRecord& trajectory : planned->file.trajectories)
+    for (const PieceRecord& piece : trajectory.pieces)
+      if (piece.ref == "H1") round_m += piece.length_m;
+  CHECK(round_m > 850);  // of 960, all round in one
+}

@@ -32,6 +32,8 @@ class CornerLine {
 
  private:
   using Index = std::size_t;
+  static constexpr double kLeastEdge_m = 0.02;
+  static constexpr double kSharpest_rad = 2.6;  ///< a corner of the line turning more than this is cut off
   struct Vertex {
     Point at;
     Index previous = 0;
@@ -75,6 +77,7 @@ class CornerLine {
   void blunt(Index i);
   bool merge(Index i);
   bool slide(Index i, Index corner);
+  bool spread(Index i);
   [[nodiscard]] Path corner_at(Index i) const;
   [[nodiscard]] Path edge_path(Index i) const;
   [[nodiscard]] bool stays(const Path& path) const;
