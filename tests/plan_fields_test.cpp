@@ -7,6 +7,7 @@
 #include "field_samples.hpp"
 #include "plan_check.hpp"
 #include "selion/core/error.hpp"
+#include "selion/core/units.hpp"
 #include "selion/field/read.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
@@ -407,4 +408,22 @@ TEST_CASE("a long way between work leads no farther round than it must", "[plan]
     }
   CHECK(longest_m > 400);  // from the far corner to what is left at the border
   CHECK(longest_m < 470);
+}
+
+TEST_CASE("no line is driven twice for what lies beyond its ends", "[plan]") {
+  const double wide_m = GENERATE(8.0, 8.5, 10.0);
+  const double turned_deg = GENERATE(0, 15, 60);
+  CAPTURE(wide_m, turned_deg);
+  const Point along = unit(radians_of_degrees(turned_deg));
+  const Point up = wide_m * left_of(along);
+  const Field field = field_of_metres({{{{0, 0}, 200 * along, 200 * along + up, up}, {}}});
+  const Job job = job_of_toml("[machine]\nmay_reverse = false\n[headland]\npasses = 0\n");
+  const auto planned = plan(field, job, Repair::notes_only, no_progress);
+  REQUIRE(planned.has_value());
+  const auto& swaths = planned->file.swaths;
+  for (std::size_t i = 0; i < swaths.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      CAPTURE(swaths[i].id, swaths[k].id);
+      CHECK_FALSE(swaths[i].line == swaths[k].line);
+    }
 }

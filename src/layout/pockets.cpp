@@ -153,6 +153,14 @@ void meet(Swath& piece, const std::vector<Swath>& swaths) {
         if (distance_m(*end, other) < kRounding_m) *end = *end + dot(axis, other - *end) * axis;
 }
 
+/// Does what the machine fits on still find ground to work? What a piece was laid for may lie beyond its
+/// ends.
+bool finds_any(const Polygon& part, const Swath& piece, double width_m) {
+  constexpr double kAny = 0.02;  // of its strip
+  const Polygons found = intersect({part}, {Polygon{strip(piece.from, piece.to, width_m), {}}});
+  return area_m2(found) >= kAny * width_m * distance_m(piece.from, piece.to);
+}
+
 /// One round of pieces into the unworked ground.
 std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
   const double least_m2 = least_pocket_m2(ground.machine);
@@ -162,7 +170,8 @@ std::vector<Swath> pieces_into(const Ground& ground, const Polygons& left) {
   for (const Polygon& part : outset_round(inset_round(large, kSliver_m), kSliver_m)) {
     if (area_m2(part) < least_m2) continue;
     for (const Swath& piece : pieces_over(ground, part))
-      if (auto fit = fitted(ground, piece)) pieces.push_back(*fit);
+      if (auto fit = fitted(ground, piece); fit && finds_any(part, *fit, ground.machine.working_width_m))
+        pieces.push_back(*fit);
   }
   return pieces;
 }
