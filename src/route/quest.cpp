@@ -12,15 +12,16 @@ namespace selion {
 namespace {
 
 constexpr std::size_t kMostVisited = 40000;
-constexpr std::size_t kSoon = 60;         // visited
-constexpr std::size_t kMostInVain = 300;  // where no road leads to a goal
-constexpr double kLeapsLater = 1.5;       // weight of a turn from afar straight to a goal
-constexpr double kTurnsLater = 3;         // radii: a turn must promise so much more than driving on
-constexpr double kFar = 2;                // reaches: further off, dearer ground counts
-constexpr double kVeryFar = 8;            // reaches: there it counts from the first
-constexpr double kLong = 5;               // reaches: a way that costs so much is searched for with care
-constexpr double kWellFound = 1.15;       // unless it costs no more than so many times the least
-constexpr double kGuideCells = 150;       // a side
+constexpr std::size_t kSoon = 60;             // visited
+constexpr std::size_t kMostInVain = 300;      // where no road leads to a goal
+constexpr double kLeapsLater = 1.5;           // weight of a turn from afar straight to a goal
+constexpr double kTurnsLater = 3;             // radii: a turn must promise so much more than driving on
+constexpr double kFar = 2;                    // reaches: further off, dearer ground counts
+constexpr double kVeryFar = 8;                // reaches: there it counts from the first
+constexpr double kLong = 5;                   // reaches: a way that costs so much is searched for with care
+constexpr double kWellFound = 1.15;           // unless it costs no more than so many times the least
+constexpr std::size_t kMostWithCare = 10000;  // visited
+constexpr double kGuideCells = 150;           // a side
 
 Link known_link(std::size_t to, const Path& path, double cost_m) {
   Link link;
@@ -204,9 +205,12 @@ Arrival Quest::or_cheaper(std::size_t goal) {
   const double first_m = frontier_.cost_m(goal);
   const double least_m = dubins_m(starts_.front().pose);
   if (first_m < std::max(kLong * roads_.reach_m(), kWellFound * least_m + roads_.reach_m() / 2)) return first;
+  if (!roads_.is_care_due()) return first;
   greed_ = 1;
-  const auto other = found(kMostVisited);
-  return other && frontier_.cost_m(*other) < first_m ? arrival(*other) : std::move(first);
+  const auto other = found(kMostWithCare);
+  const bool is_cheaper = other && frontier_.cost_m(*other) < first_m;
+  roads_.remember_care(is_cheaper);
+  return is_cheaper ? arrival(*other) : std::move(first);
 }
 
 }  // namespace selion

@@ -181,6 +181,14 @@ void Roads::remember_in_vain(const std::vector<Pose>& goals, const Stations& rea
   for (const Pose& goal : goals) in_vain_[goal].push_back(from);
 }
 
+bool Roads::is_care_due() {
+  constexpr unsigned kInVain = 2;
+  constexpr unsigned kEachTime = 8;
+  return cares_in_vain_ < kInVain || ++cares_left_out_ % kEachTime == 0;
+}
+
+void Roads::remember_care(bool has_found) { cares_in_vain_ = has_found ? 0 : cares_in_vain_ + 1; }
+
 std::optional<Arrival> Roads::way(const Pose& from, const std::vector<Pose>& goals,
                                   const std::vector<Path>& retreats) {
   return Quest{*this, from, goals, retreats}.way();

@@ -87,6 +87,10 @@ class Roads {
   [[nodiscard]] bool searched_in_vain(const Pose& goal, const Stations& reached) const;
   void remember_in_vain(const std::vector<Pose>& goals, const Stations& reached);
 
+  /// Is a long way worth a second search? Where two in a row were in vain, only each eighth is.
+  bool is_care_due();
+  void remember_care(bool has_found);
+
  private:
   struct Node {
     Pose pose;
@@ -110,6 +114,8 @@ class Roads {
   std::unordered_map<std::size_t, Links> next_;
   KnownGround& known_;
   std::deque<Stations> realms_;
+  unsigned cares_in_vain_ = 0;
+  unsigned cares_left_out_ = 0;
   std::deque<Stations> searched_from_;
   std::unordered_map<Pose, std::vector<const Stations*>, PoseHash> in_vain_;  // to a goal
 };
