@@ -199,7 +199,8 @@ std::optional<Arrival> Quest::way() {
   return goal ? or_cheaper(*goal) : beyond();
 }
 
-/// A search in a hurry takes ways round by the far side, and over the mainland, that cost twice the least.
+/// A search in a hurry may end with a way round by the far side, or over the mainland, that costs twice the
+/// least.
 Arrival Quest::or_cheaper(std::size_t goal) {
   Arrival first = arrival(goal);
   const double first_m = frontier_.cost_m(goal);
