@@ -90,6 +90,27 @@ TEST_CASE("a closed band in which there is room for swaths is worked by going ro
   CHECK(faults_of(*planned, job.machine).empty());
 }
 
+TEST_CASE("a bent strip a few passes wide is worked along its borders, not by swaths across its bend",
+          "[plan]") {
+  const auto [preset, width_m] = GENERATE(
+      table<const char*, double>({{"robot-3m", 15}, {"robot-3m", 18}, {"robot-3m", 22}, {"tractor-6m", 18}}));
+  CAPTURE(preset, width_m);
+  constexpr int kSteps = 64;
+  Ring strip;
+  const auto at = [](int step) { return unit(0.9 * std::numbers::pi * step / kSteps); };
+  for (int i = 0; i <= kSteps; ++i) strip.push_back(150 * at(i));
+  for (int i = kSteps; i >= 0; --i) strip.push_back((150 - width_m) * at(i));
+  const Job job = job_of(settings_of_toml(std::string{"[machine]\npreset = \""} + preset + "\"\n", "test"));
+
+  const auto planned = plan(field_of_metres({{strip, {}}}), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(block.covered_m2 >= 0.95 * block.area_m2);
+  CHECK(block.work_m + block.turn_m + block.transfer_m < 1.5 * block.area_m2 / job.machine.working_width_m);
+  CHECK(faults_of(*planned, job.machine).empty());
+}
+
 TEST_CASE("a ditch or hedge that reaches into a field is driven round, however thin it is", "[plan]") {
   const auto [preset, thin_m] = GENERATE(table<const char*, double>({{"robot-3m", 0.1},
                                                                      {"robot-3m", 0.5},

@@ -144,31 +144,69 @@ std::vector<HeadlandRun> runs_at(const Ground& ground, double inset_m, double ro
   return runs;
 }
 
-void add_ring(const Ground& ground, int ring, double inset_m, std::vector<HeadlandPass>& laid) {
-  for (HeadlandRun& run : runs_at(ground, inset_m, swing_out_room_m(ground, ring)))
-    laid.push_back(pass_of(ground, laid.size() + 1, ring, std::move(run)));
+void add_ring(const Ground& ground, int ring, std::vector<HeadlandRun> runs,
+              std::vector<HeadlandPass>& laid) {
+  for (HeadlandRun& run : runs) laid.push_back(pass_of(ground, laid.size() + 1, ring, std::move(run)));
+}
+
+/// Worked by runs, once and altogether.
+struct Swept {
+  double once_m2 = 0;
+  double all_m2 = 0;
+};
+
+Swept swept_on(const Ground& ground, const std::vector<HeadlandRun>& runs) {
+  Polygons swept;
+  for (const HeadlandRun& run : runs) {
+    Polygons its = unite(swept_by(ground.footprint, run.path));
+    swept.insert(swept.end(), std::make_move_iterator(its.begin()), std::make_move_iterator(its.end()));
+  }
+  return {area_m2(unite(swept)), area_m2(swept)};
+}
+
+/// The deepest place of the workable ground below a depth at which none is left, at least `within_m`.
+double middle_m(const Ground& ground, double within_m, double beyond_m) {
+  constexpr double kStep_m = 0.1;
+  while (beyond_m - within_m > kStep_m) {
+    const double between_m = (within_m + beyond_m) / 2;
+    (inset(ground.workable, between_m).empty() ? beyond_m : within_m) = between_m;
+  }
+  return within_m;
 }
 
 }  // namespace
 
 std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
   std::vector<HeadlandPass> laid;
-  for (int ring = 1; ring <= passes; ++ring) add_ring(ground, ring, ring_inset_m(ground, ring), laid);
+  for (int ring = 1; ring <= passes; ++ring)
+    add_ring(ground, ring, runs_at(ground, ring_inset_m(ground, ring), swing_out_room_m(ground, ring)), laid);
   return laid;
 }
 
+/// Hardly anything is as deep as the middle of the widest place: the line lies as much further out, within
+/// what the tool reaches across, as works most.
 void lay_between(const Ground& ground, int passes, std::vector<HeadlandPass>& laid) {
-  constexpr double kStep_m = 0.1;
   constexpr double kLeastBetween = 0.15;  // of the working width
+  constexpr double kMore = 1.2;
+  constexpr double kHardlyTwice = 1.15;
   if (passes == 0) return;
-  double within_m = ring_inset_m(ground, passes);
-  double beyond_m = ring_inset_m(ground, passes + 1);
+  const double within_m = ring_inset_m(ground, passes);
+  const double beyond_m = ring_inset_m(ground, passes + 1);
   const double least_m = within_m + (1 + kLeastBetween) * ground.machine.working_width_m / 2;
-  while (beyond_m - within_m > kStep_m) {
-    const double middle_m = (within_m + beyond_m) / 2;
-    (inset(ground.workable, middle_m).empty() ? beyond_m : within_m) = middle_m;
+  const double deepest_m = middle_m(ground, within_m, beyond_m);
+  std::vector<HeadlandRun> best;
+  double best_m2 = 0;
+  for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+    const double inset_m = deepest_m - share * (beyond_m - deepest_m);
+    if (inset_m < least_m) break;
+    auto runs = runs_at(ground, inset_m, swing_out_room_m(ground, passes + 1));
+    const Swept swept = swept_on(ground, runs);
+    if (swept.once_m2 <= kMore * best_m2 || (!best.empty() && swept.all_m2 > kHardlyTwice * swept.once_m2))
+      continue;
+    best_m2 = swept.once_m2;
+    best = std::move(runs);
   }
-  if (within_m >= least_m) add_ring(ground, passes + 1, within_m, laid);
+  add_ring(ground, passes + 1, std::move(best), laid);
 }
 
 }  // namespace selion

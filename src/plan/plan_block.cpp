@@ -50,7 +50,7 @@ Driven driven_on(const Route& route) {
 
 /// Much of the drive is not work: between short swaths in a bend.
 bool wanders(const PlannedBlock& planned) {
-  constexpr double kMostlyWork = 0.68;
+  constexpr double kMostlyWork = 0.74;
   const Driven driven = driven_on(planned.route);
   return driven.work_m < kMostlyWork * driven.all_m;
 }
@@ -150,15 +150,19 @@ class BlockPlanner {
     auto planned = as_told(job);
     if (job.headland.passes) return planned;
     if (!planned) return inside_fewer(planned.error(), job);
-    return is_closed_band(job) ? or_along_borders(std::move(planned), job) : std::move(planned);
+    return is_narrow(job) ? or_along_borders(std::move(planned), job) : std::move(planned);
   }
 
-  /// Round holes, and no wider than a few passes: going round and round takes no turns.
-  [[nodiscard]] bool is_closed_band(const Job& job) const {
+  /// A few passes wide, on average.
+  [[nodiscard]] bool is_narrow(const Job& job) const {
     constexpr double kMostPasses = 8;
     const Polygon& area = block_.area;
-    return !area.holes.empty() &&
-           2 * area_m2(area) < kMostPasses * job.machine.working_width_m * perimeter_m(area);
+    return 2 * area_m2(area) < kMostPasses * job.machine.working_width_m * perimeter_m(area);
+  }
+
+  /// Round holes, and narrow: going round and round takes no turns.
+  [[nodiscard]] bool is_closed_band(const Job& job) const {
+    return !block_.area.holes.empty() && is_narrow(job);
   }
 
   /// Of a block too narrow for as many headland passes as turns need, unless it is hardly worth a plan.

@@ -27,8 +27,8 @@ Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& 
   const double side_m = std::max(size.x_m, size.y_m);
   cell_m_ = std::max(
       {kLeastCell_m, std::min(side_m / cells, terrain.machine.working_width_m), side_m / kMostCells});
-  columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 1;
-  rows_ = static_cast<std::size_t>(std::max(0.0, size.y_m) / cell_m_) + 1;
+  columns_ = static_cast<std::size_t>(std::max(0.0, size.x_m) / cell_m_) + 3;
+  rows_ = static_cast<std::size_t>(std::max(0.0, size.y_m) / cell_m_) + 3;
   distance_.assign(columns_ * rows_, kFar);
   spread(terrain, goals);
 }
@@ -36,30 +36,31 @@ Guide::Guide(const Terrain& terrain, const Pose& from, const std::vector<Pose>& 
 std::optional<std::size_t> Guide::cell_of(Point p) const {
   const double x = std::floor((p.x_m - low_.x_m) / cell_m_);
   const double y = std::floor((p.y_m - low_.y_m) / cell_m_);
-  if (x < 0 || y < 0 || x >= static_cast<double>(columns_) || y >= static_cast<double>(rows_))
+  if (x < 0 || y < 0 || x >= static_cast<double>(columns_ - 2) || y >= static_cast<double>(rows_ - 2))
     return std::nullopt;
-  return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
+  return (static_cast<std::size_t>(y) + 1) * columns_ + static_cast<std::size_t>(x) + 1;
 }
 
 Point Guide::centre_of(std::size_t cell) const {
   const std::size_t column = cell % columns_;
   const std::size_t row = cell / columns_;
   return low_ +
-         Point{(static_cast<double>(column) + 0.5) * cell_m_, (static_cast<double>(row) + 0.5) * cell_m_};
+         Point{(static_cast<double>(column) - 0.5) * cell_m_, (static_cast<double>(row) - 0.5) * cell_m_};
 }
 
-/// Those of a cell that lie on the grid.
-template <class Visit>
-void Guide::for_neighbours(std::size_t cell, Visit visit) const {
-  const int x = static_cast<int>(cell % columns_);
-  const int y = static_cast<int>(cell / columns_);
-  for (const Step step : kSteps) {
-    const int column = x + step.dx;
-    const int row = y + step.dy;
-    if (column < 0 || row < 0 || column >= static_cast<int>(columns_) || row >= static_cast<int>(rows_))
-      continue;
-    visit(static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column), step.cells);
-  }
+/// To the cells around one.
+std::array<Guide::Step, 8> Guide::steps() const {
+  const double across_m = std::numbers::sqrt2 * cell_m_;
+  const std::size_t left = 0 - std::size_t{1};
+  const std::size_t down = 0 - columns_;
+  return {{{down + left, across_m},
+           {down, cell_m_},
+           {down + 1, across_m},
+           {left, cell_m_},
+           {1, cell_m_},
+           {columns_ + left, across_m},
+           {columns_, cell_m_},
+           {columns_ + 1, across_m}}};
 }
 
 /// Half the body has room there; touching squares keep the walk inside without asking again.
@@ -82,27 +83,41 @@ double Guide::dearness(Ground ground) {
 
 /// Dijkstra from the goals.
 void Guide::spread(const Terrain& terrain, const std::vector<Pose>& goals) {
-  std::vector<Ground> ground(distance_.size(), Ground::unknown);
-  Queue queue;
+  std::vector<Ground> ground = unknown_within_rim();
+  const std::array<Step, 8> around = steps();
+  Buckets buckets(1);
   for (const Pose& goal : goals)
-    if (const auto start = cell_of(goal.at)) reach(queue, *start, 0);
-  while (!queue.empty()) {
-    const auto [done_m, cell] = queue.top();
-    queue.pop();
-    if (done_m > distance_[cell]) continue;
-    for_neighbours(cell, [&, far_m = done_m](std::size_t other, double cells) {
-      if (far_m + cell_m_ * cells >= distance_[other]) return;  // on any ground
-      Ground& there = ground[other];
-      if (there == Ground::unknown) there = ground_at(terrain, centre_of(other));
-      reach(queue, other, far_m + cell_m_ * cells * dearness(there));
-    });
+    if (const auto start = cell_of(goal.at)) reach(buckets, *start, 0);
+  for (std::size_t b = 0; b < buckets.size(); ++b) {
+    for (std::size_t i = 0; i < buckets[b].size(); ++i) {  // more may come in by rounding
+      const Reached done = buckets[b][i];
+      if (done.distance_m > distance_[done.cell]) continue;
+      for (const Step step : around) {
+        const std::size_t other = done.cell + step.offset;
+        if (done.distance_m + step.length_m >= distance_[other]) continue;  // on any ground
+        Ground& there = ground[other];
+        if (there == Ground::unknown) there = ground_at(terrain, centre_of(other));
+        reach(buckets, other, done.distance_m + step.length_m * dearness(there));
+      }
+    }
+    buckets[b] = {};
   }
 }
 
-void Guide::reach(Queue& queue, std::size_t cell, double distance_m) {
+std::vector<Guide::Ground> Guide::unknown_within_rim() const {
+  std::vector<Ground> ground(distance_.size(), Ground::closed);
+  for (std::size_t row = 1; row + 1 < rows_; ++row)
+    std::fill_n(ground.begin() + static_cast<std::ptrdiff_t>(row * columns_ + 1), columns_ - 2,
+                Ground::unknown);
+  return ground;
+}
+
+void Guide::reach(Buckets& buckets, std::size_t cell, double distance_m) {
   if (distance_m >= distance_[cell]) return;
   distance_[cell] = distance_m;
-  queue.emplace(distance_m, cell);
+  const auto bucket = static_cast<std::size_t>(distance_m / cell_m_);
+  if (bucket >= buckets.size()) buckets.resize(bucket + 1);
+  buckets[bucket].push_back({distance_m, cell});
 }
 
 double Guide::to_goal_m(Point p) const {

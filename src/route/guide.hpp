@@ -2,11 +2,8 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <numbers>
 #include <optional>
-#include <queue>
-#include <utility>
 #include <vector>
 
 #include "connect.hpp"
@@ -30,36 +27,31 @@ class Guide {
  private:
   enum class Ground : unsigned char { unknown, closed, open, mainland };
   struct Step {
-    int dx;
-    int dy;
-    double cells;  ///< its length
+    std::size_t offset;  ///< of the cell it leads to; wraps round
+    double length_m;
   };
 
   [[nodiscard]] std::optional<std::size_t> cell_of(Point p) const;
   [[nodiscard]] Point centre_of(std::size_t cell) const;
-  template <class Visit>
-  void for_neighbours(std::size_t cell, Visit visit) const;
   [[nodiscard]] bool open(const Terrain& terrain, Point p) const;
   [[nodiscard]] Ground ground_at(const Terrain& terrain, Point p) const;
   [[nodiscard]] static double dearness(Ground ground);
-  using Entry = std::pair<double, std::size_t>;
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
-  static constexpr double kAcross = std::numbers::sqrt2;
-  static constexpr auto kSteps = std::to_array<Step>({{-1, -1, kAcross},
-                                                      {0, -1, 1},
-                                                      {1, -1, kAcross},
-                                                      {-1, 0, 1},
-                                                      {1, 0, 1},
-                                                      {-1, 1, kAcross},
-                                                      {0, 1, 1},
-                                                      {1, 1, kAcross}});
-  void reach(Queue& queue, std::size_t cell, double distance_m);
+  struct Reached {
+    double distance_m;
+    std::size_t cell;
+  };
+  /// By whole lengths of a cell. No step is shorter: from one bucket all lead into later ones, so that their
+  /// order does not matter (Dial 1969; Denardo and Fox 1979).
+  using Buckets = std::vector<std::vector<Reached>>;
+  [[nodiscard]] std::array<Step, 8> steps() const;
+  [[nodiscard]] std::vector<Ground> unknown_within_rim() const;
+  void reach(Buckets& buckets, std::size_t cell, double distance_m);
   void spread(const Terrain& terrain, const std::vector<Pose>& goals);
 
   Point low_;
   double cell_m_ = 1;
-  std::size_t columns_ = 1;
-  std::size_t rows_ = 1;
+  std::size_t columns_ = 3;  ///< with a rim of closed cells
+  std::size_t rows_ = 3;
   std::vector<double> distance_;
 };
 
