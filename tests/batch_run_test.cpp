@@ -7,6 +7,7 @@
 
 #include "batch_samples.hpp"
 #include "field_samples.hpp"
+#include "files.hpp"
 #include "selion/core/error.hpp"
 #include "selion/field/read.hpp"
 #include "selion/field/stream.hpp"
@@ -310,7 +311,7 @@ TEST_CASE("a batch of one file that cannot be read begins nothing", "[batch]") {
 }
 
 TEST_CASE("fields read one after another are the fields of the file", "[batch][field]") {
-  const std::string folder = SELION_DATA_DIR "/fields/";
+  const std::string folder = (data_dir() / "fields/").string();
   for (const char* name : {"f1.geojson", "f1.zip", "gates_obstacles.geojson", "with_pond.geojson"}) {
     CAPTURE(name);
     const auto all = read_fields(folder + name, {}, std::cin);
@@ -327,7 +328,7 @@ TEST_CASE("fields read one after another are the fields of the file", "[batch][f
 }
 
 TEST_CASE("fields of a large GeoPackage read one after another are those of the file", "[batch][field]") {
-  const fs::path file = SELION_SHARED_DIR "/fields/batch/fields_batch.gpkg";
+  const fs::path file = shared_dir() / "fields/batch/fields_batch.gpkg";
   if (!fs::exists(file)) {
     std::cout << "skipped: " << file << " is not there\n";
     return;

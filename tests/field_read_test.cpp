@@ -3,6 +3,7 @@
 
 #include "field/gdal_library.hpp"
 #include "field_samples.hpp"
+#include "files.hpp"
 
 using namespace selion;
 
@@ -287,7 +288,7 @@ TEST_CASE("an archive that would fill the memory is refused before it is unpacke
 }
 
 TEST_CASE("the paper's field is the same from GeoJSON, zipped shapefile, CSV and KML", "[field][read]") {
-  const std::filesystem::path data = std::filesystem::path{SELION_DATA_DIR} / "fields";
+  const std::filesystem::path data = data_dir() / "fields";
   for (const auto& [one, other] :
        {std::pair{"f1.geojson", "f1.zip"}, {"f2.geojson", "f2.csv"}, {"f3.geojson", "f3.kml"}}) {
     CAPTURE(one);

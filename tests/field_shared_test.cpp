@@ -6,12 +6,13 @@
 #include <map>
 
 #include "field_samples.hpp"
+#include "files.hpp"
 
 using namespace selion;
 
 namespace {
 
-const std::filesystem::path kShared = std::filesystem::path{SELION_SHARED_DIR} / "fields";
+const std::filesystem::path kShared = shared_dir() / "fields";
 
 bool absent() {
   if (std::filesystem::exists(kShared / "invalid" / "EXPECTED.tsv")) return false;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "files.hpp"
 #include "selion/field/block.hpp"
 #include "selion/field/read.hpp"
 #include "selion/layout/direction.hpp"
@@ -15,8 +16,7 @@ namespace {
 
 Polygon paper_field(int number) {
   std::istringstream nothing;
-  const auto file =
-      std::filesystem::path{SELION_DATA_DIR} / "fields" / ("f" + std::to_string(number) + ".geojson");
+  const auto file = data_dir() / "fields" / ("f" + std::to_string(number) + ".geojson");
   const Field field = read_fields(file, {}, nothing).at(0);
   return blocks_of(field, LocalFrame::centred(centre(field)), {}).blocks.at(0).area;
 }

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "files.hpp"
 #include "output_plan_samples.hpp"
 #include "selion/output/report.hpp"
 
@@ -144,7 +145,7 @@ TEST_CASE("a figure that is not finite is never reported", "[output][report]") {
 }
 
 TEST_CASE("docs/report.md describes every member of a report", "[output][report]") {
-  std::ifstream file{SELION_DATA_DIR "/../docs/report.md"};
+  std::ifstream file{project_dir() / "docs/report.md"};
   REQUIRE(file);
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
   std::set<std::string> members;

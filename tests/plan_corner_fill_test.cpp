@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "files.hpp"
 #include "plan_check.hpp"
 #include "selion/field/read.hpp"
 #include "selion/plan/job_file.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 Plan planned(const std::string& name, const std::string& machine, const std::string& headland) {
   std::istringstream nothing;
-  const auto file = std::filesystem::path{SELION_DATA_DIR} / "fields" / name;
+  const auto file = data_dir() / "fields" / name;
   const Job job = job_of(settings_of_toml("[machine]\n" + machine + "[headland]\n" + headland, "test"));
   auto plan = selion::plan(read_fields(file, {}, nothing).at(0), job, Repair::notes_only, no_progress);
   REQUIRE(plan.has_value());

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "field_samples.hpp"
+#include "files.hpp"
 #include "plan_check.hpp"
 #include "selion/core/error.hpp"
 #include "selion/core/units.hpp"
@@ -21,9 +22,7 @@ Field read_one(const std::filesystem::path& file) {
   return read_fields(file, {}, nothing).at(0);
 }
 
-Field sample(const std::string& name) {
-  return read_one(std::filesystem::path{SELION_DATA_DIR} / "fields" / name);
-}
+Field sample(const std::string& name) { return read_one(data_dir() / "fields" / name); }
 
 Job job_of_toml(const std::string& text) { return job_of(settings_of_toml(text, "test")); }
 

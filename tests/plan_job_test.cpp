@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "files.hpp"
 #include "selion/core/error.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/suggest.hpp"
@@ -270,7 +271,7 @@ TEST_CASE("a job's JSON has no spaces and holds the machine in full", "[plan]") 
 }
 
 TEST_CASE("docs/job.md has each key with its flag, unit, default and meaning, and no other", "[plan]") {
-  std::ifstream stream{SELION_DATA_DIR "/../docs/job.md"};
+  std::ifstream stream{project_dir() / "docs/job.md"};
   const std::string page{std::istreambuf_iterator<char>{stream}, {}};
   for (const JobKey& key : job_keys()) {
     const std::string unit = key.unit.empty() ? "" : std::string{key.unit} + " ";

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "files.hpp"
 #include "motion_drives.hpp"
 #include "plan_check.hpp"
 #include "selion/field/read.hpp"
@@ -19,8 +20,7 @@ namespace {
 
 Field paper_field(const std::string& name) {
   std::istringstream nothing;
-  return read_fields(std::filesystem::path{SELION_DATA_DIR} / "fields" / (name + ".geojson"), {}, nothing)
-      .at(0);
+  return read_fields(data_dir() / "fields" / (name + ".geojson"), {}, nothing).at(0);
 }
 
 /// What the records of a drive tell.

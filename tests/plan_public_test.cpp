@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "files.hpp"
 #include "plan_check.hpp"
 #include "selion/batch/verified.hpp"
 #include "selion/field/read.hpp"
@@ -16,7 +17,7 @@ using namespace selion;
 
 namespace {
 
-const std::filesystem::path kPublic = std::filesystem::path{SELION_SHARED_DIR} / "fields" / "public";
+const std::filesystem::path kPublic = shared_dir() / "fields" / "public";
 
 bool skipped() {
   if (std::filesystem::exists(kPublic)) return false;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <random>
 
+#include "files.hpp"
 #include "planfile_samples.hpp"
 #include "selion/planfile/planfile.hpp"
 
@@ -170,7 +171,7 @@ TEST_CASE("features in another order and with members that nobody asks for are r
 }
 
 TEST_CASE("the example of docs/plan.md is a plan file, byte for byte", "[planfile][round_trip]") {
-  std::ifstream page{SELION_DATA_DIR "/../docs/plan.md"};
+  std::ifstream page{project_dir() / "docs/plan.md"};
   REQUIRE(page);
   const std::string text{std::istreambuf_iterator<char>{page}, {}};
   const std::string fence = "```json\n";

@@ -2,6 +2,7 @@
 #include "test.hpp"
 
 #include "field_samples.hpp"
+#include "files.hpp"
 #include "selion/core/format.hpp"
 #include "selion/plan/job_file.hpp"
 #include "selion/plan/plan.hpp"
@@ -46,9 +47,7 @@ PlanFile written(const Field& field, const std::string& job, Repair repair) {
   return plan_from_geojson(to_geojson(planned->file), "test");
 }
 
-std::filesystem::path sample_file(const std::string& name) {
-  return std::filesystem::path{SELION_DATA_DIR} / "fields" / name;
-}
+std::filesystem::path sample_file(const std::string& name) { return data_dir() / "fields" / name; }
 
 Field sample(const std::string& name) { return read_file(sample_file(name)).at(0); }
 
