@@ -83,24 +83,24 @@ double Guide::dearness(Ground ground) {
 
 /// Dijkstra from the goals.
 void Guide::spread(const Terrain& terrain, const std::vector<Pose>& goals) {
-  std::vector<Ground> ground = unknown_within_rim();
-  const std::array<Step, 8> around = steps();
-  Buckets buckets(1);
+  Wave wave{terrain, steps(), unknown_within_rim(), Buckets(1)};
   for (const Pose& goal : goals)
-    if (const auto start = cell_of(goal.at)) reach(buckets, *start, 0);
-  for (std::size_t b = 0; b < buckets.size(); ++b) {
-    for (std::size_t i = 0; i < buckets[b].size(); ++i) {  // more may come in by rounding
-      const Reached done = buckets[b][i];
-      if (done.distance_m > distance_[done.cell]) continue;
-      for (const Step step : around) {
-        const std::size_t other = done.cell + step.offset;
-        if (done.distance_m + step.length_m >= distance_[other]) continue;  // on any ground
-        Ground& there = ground[other];
-        if (there == Ground::unknown) there = ground_at(terrain, centre_of(other));
-        reach(buckets, other, done.distance_m + step.length_m * dearness(there));
-      }
-    }
-    buckets[b] = {};
+    if (const auto start = cell_of(goal.at)) reach(wave.buckets, *start, 0);
+  for (std::size_t b = 0; b < wave.buckets.size(); ++b) {
+    for (std::size_t i = 0; i < wave.buckets[b].size(); ++i)  // more may come in by rounding
+      go_on_from(wave.buckets[b][i], wave);
+    wave.buckets[b] = {};
+  }
+}
+
+void Guide::go_on_from(Reached done, Wave& wave) {
+  if (done.distance_m > distance_[done.cell]) return;
+  for (const Step step : wave.around) {
+    const std::size_t other = done.cell + step.offset;
+    if (done.distance_m + step.length_m >= distance_[other]) continue;  // on any ground
+    Ground& there = wave.ground[other];
+    if (there == Ground::unknown) there = ground_at(wave.terrain, centre_of(other));
+    reach(wave.buckets, other, done.distance_m + step.length_m * dearness(there));
   }
 }
 

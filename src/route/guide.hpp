@@ -43,8 +43,16 @@ class Guide {
   /// By whole lengths of a cell. No step is shorter: from one bucket all lead into later ones, so that their
   /// order does not matter (Dial 1969; Denardo and Fox 1979).
   using Buckets = std::vector<std::vector<Reached>>;
+  /// What is known while distances are spread from the goals.
+  struct Wave {
+    const Terrain& terrain;
+    std::array<Step, 8> around;
+    std::vector<Ground> ground;
+    Buckets buckets;
+  };
   [[nodiscard]] std::array<Step, 8> steps() const;
   [[nodiscard]] std::vector<Ground> unknown_within_rim() const;
+  void go_on_from(Reached done, Wave& wave);
   void reach(Buckets& buckets, std::size_t cell, double distance_m);
   void spread(const Terrain& terrain, const std::vector<Pose>& goals);
 
