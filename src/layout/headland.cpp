@@ -154,11 +154,13 @@ std::vector<HeadlandPass> lay_headland(const Ground& ground, int passes) {
 void lay_between(const Ground& ground, int passes, std::vector<HeadlandPass>& laid) {
   constexpr double kLeastBetween = 0.15;  // of the working width
   constexpr double kMore = 1.2;
+  constexpr double kMoreSquares = 4;  // of the working width
   constexpr double kHardlyTwice = 1.15;
+  const double width_m = ground.machine.working_width_m;
   if (passes == 0) return;
   const double within_m = ring_inset_m(ground, passes);
   const double beyond_m = ring_inset_m(ground, passes + 1);
-  const double least_m = within_m + (1 + kLeastBetween) * ground.machine.working_width_m / 2;
+  const double least_m = within_m + (1 + kLeastBetween) * width_m / 2;
   const double deepest_m = middle_m(ground, within_m, beyond_m);
   std::vector<HeadlandRun> best;
   double best_m2 = 0;
@@ -167,7 +169,9 @@ void lay_between(const Ground& ground, int passes, std::vector<HeadlandPass>& la
     if (inset_m < least_m) break;
     auto runs = runs_at(ground, inset_m, swing_out_room_m(ground, passes + 1));
     const Swept swept = swept_on(ground, runs);
-    if (swept.once_m2 <= kMore * best_m2 || (!best.empty() && swept.all_m2 > kHardlyTwice * swept.once_m2))
+    if (share > 0 &&
+        (swept.once_m2 < kMore * best_m2 || swept.once_m2 < best_m2 + kMoreSquares * width_m * width_m ||
+         swept.all_m2 > kHardlyTwice * swept.once_m2))
       continue;
     best_m2 = swept.once_m2;
     best = std::move(runs);
