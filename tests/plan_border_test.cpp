@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "test.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -36,9 +37,24 @@ Job forwards_4m() {
       "test"));
 }
 
-Ring circle(double radius_m) {
+Ring circle(double radius_m, int count = 128) {
   Ring corners;
-  for (int i = 0; i < 128; ++i) corners.push_back(radius_m * unit(2 * std::numbers::pi * i / 128));
+  for (int i = 0; i < count; ++i) corners.push_back(radius_m * unit(2 * std::numbers::pi * i / count));
+  return corners;
+}
+
+/// 200 m by 120 m with corners of this radius.
+Ring rounded(double radius_m) {
+  constexpr int kSteps = 24;  // a corner
+  const std::array<Point, 4> centres{Point{200 - radius_m, 120 - radius_m},
+                                     {radius_m, 120 - radius_m},
+                                     {radius_m, radius_m},
+                                     {200 - radius_m, radius_m}};
+  Ring corners;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k <= kSteps; ++k)
+      corners.push_back(centres[static_cast<std::size_t>(i)] +
+                        radius_m * unit(std::numbers::pi / 2 * (i + static_cast<double>(k) / kSteps)));
   return corners;
 }
 
@@ -55,6 +71,36 @@ TEST_CASE("a border driven with a receiver's noise is worked all round, forwards
   REQUIRE(planned.has_value());
   const BlockReport& block = planned->blocks.at(0);
   CHECK(100 * block.covered_m2 / block.area_m2 >= covered_percent);
+  CHECK(faults_of(*planned, job.machine).empty());
+}
+
+TEST_CASE("a border that bends gently is worked all round though the front swings out over it", "[plan]") {
+  const auto [border, covered_percent] = GENERATE(table<Ring, double>({{circle(80, 360), 99.5},
+                                                                       {circle(50, 360), 98.5},
+                                                                       {circle(100, 1000), 99.5},
+                                                                       {rounded(15), 99.0},
+                                                                       {rounded(25), 99.4},
+                                                                       {rounded(40), 99.4}}));
+  CAPTURE(border.size(), covered_percent);
+  const Job job = forwards_4m();
+
+  const auto planned = plan(field_of_metres({{border, {}}}), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(100 * block.covered_m2 / block.area_m2 >= covered_percent);
+  CHECK(faults_of(*planned, job.machine).empty());
+}
+
+TEST_CASE("a block covered badly with the headland that turns need gets a narrower one", "[plan]") {
+  const Ring wedge{{0, 0}, {317.5, 44.6}, {311.9, 84.3}, {-1.1, 7.9}};
+  const Job job = forwards_4m();
+
+  const auto planned = plan(field_of_metres({{wedge, {}}}), job, Repair::notes_only, no_progress);
+
+  REQUIRE(planned.has_value());
+  const BlockReport& block = planned->blocks.at(0);
+  CHECK(block.covered_m2 >= 0.8 * block.area_m2);
   CHECK(faults_of(*planned, job.machine).empty());
 }
 

@@ -81,13 +81,21 @@ HeadlandPass pass_of(const Ground& ground, std::size_t number, int ring, Headlan
 
 }  // namespace
 
-double ring_inset_m(const Ground& ground, int ring) {
+namespace {
+
+double plain_inset_m(const Ground& ground, int ring) {
   return ground.half_m + kFollow_m + (ring - 1) * (ground.machine.working_width_m - 2 * kFollow_m);
+}
+
+}  // namespace
+
+double ring_inset_m(const Ground& ground, int ring) {
+  return plain_inset_m(ground, ring) + (ring == 1 ? ground.border_room_m : 0);
 }
 
 double mainland_inset_m(const Ground& ground, int passes) {
   if (passes == 0) return 0;
-  return ring_inset_m(ground, passes) + ground.machine.working_width_m / 2 - kFollow_m;
+  return plain_inset_m(ground, passes) + ground.machine.working_width_m / 2 - kFollow_m;
 }
 
 /// Between the lane of a ring, as wide as the wider of tool and body, and the field's border.

@@ -36,10 +36,11 @@ struct Ground {
   Polygons workable;  ///< where the tool is to work: the free area less the edge margin
   double half_m = 0;  ///< of the wider of tool and body
   double edge_margin_m = 0;
-  Swings swings;  ///< at turn speed
+  double border_room_m = 0;  ///< more for the outermost passes, to swing out
+  Swings swings;             ///< at turn speed
 };
 
-Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m);
+Ground ground_of(const Block& block, const Machine& machine, const LayoutOptions& options);
 
 /// Of the piece's part that fits, driven from `from`, what a machine that only drives forwards can get to and
 /// away from; all of it for one that may reverse.

@@ -86,6 +86,7 @@ struct LayoutOptions {
   double ab_shift_m = 0;
   double overlap_m = 0;
   double edge_margin_m = 0.3;
+  double border_room_m = 0;   ///< the outermost headland passes keep so much further off the border
   std::optional<int> passes;  ///< absent: as many as turns need
   HeadlandCorners corners = HeadlandCorners::round;
   Interior interior = Interior::swaths;  ///< where nothing: as many passes as there is ground for
