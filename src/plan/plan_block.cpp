@@ -6,6 +6,7 @@
 
 #include "block_planner.hpp"
 #include "selion/core/format.hpp"
+#include "selion/geometry/simplify.hpp"
 
 namespace selion {
 namespace {
@@ -13,9 +14,11 @@ namespace {
 /// Much of the ground that the outermost passes are to work is left.
 bool misses_the_border(const PlannedBlock& planned, const Job& job) {
   constexpr double kMuch = 0.1;
+  constexpr double kNear = 0.05;  // of the working width; a border may have thousands of corners
+  const double width_m = job.machine.working_width_m;
   const double margin_m = job.field.edge_margin_m;
-  const Polygons all{planned.block.area};
-  const Polygons band = subtract(inset(all, margin_m), inset(all, margin_m + job.machine.working_width_m));
+  const Polygons all{simplified(planned.block.area, kNear * width_m)};
+  const Polygons band = subtract(inset(all, margin_m), inset(all, margin_m + width_m));
   return area_m2(intersect(planned.coverage.uncovered, band)) > kMuch * area_m2(band);
 }
 
