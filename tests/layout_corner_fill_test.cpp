@@ -14,12 +14,6 @@ using namespace selion;
 
 namespace {
 
-LayoutOptions with_margin(double edge_margin_m) {
-  LayoutOptions options;
-  options.edge_margin_m = edge_margin_m;
-  return options;
-}
-
 constexpr double kMargin_m = 0.05;
 
 /// As wide as its tool, 2.4 m before the axle and 0.6 m behind it.
@@ -62,7 +56,7 @@ double area_sum_m2(const Polygons& areas) {
 /// Unworked ground in the square whose sides are `side_m` along the border from a corner of kSquare.
 double unworked_m2(const Block& block, const Machine& machine, const Layout& layout, Point corner,
                    double side_m) {
-  const Polygons left = unworked(ground_of(block, machine, with_margin(kMargin_m)), layout, layout.pockets);
+  const Polygons left = unworked(ground_of(block, machine, kMargin_m), layout, layout.pockets);
   const double x = corner.x_m > 0 ? corner.x_m - side_m : 0;
   const double y = corner.y_m > 0 ? corner.y_m - side_m : 0;
   const Ring box{{x, y}, {x + side_m, y}, {x + side_m, y + side_m}, {x, y + side_m}};
@@ -116,7 +110,7 @@ TEST_CASE("the parts of a ring with filled corners lead on to each other", "[lay
   Machine machine = robot_4m(may_reverse);
   if (!may_reverse) machine.min_work_radius_m = 8;  // with the tool up it turns more tightly
   const Block block = block_of(kSquare);
-  const Ground ground = ground_of(block, machine, with_margin(kMargin_m));
+  const Ground ground = ground_of(block, machine, kMargin_m);
   const Layout layout = laid_out(block, machine, HeadlandCorners::fill);
   REQUIRE(parts_of(layout) >= 4);
   for (const HeadlandPass& pass : layout.headland_passes) {
@@ -146,7 +140,7 @@ TEST_CASE("filling leaves no more unworked than rounding, whatever the machine",
   CAPTURE(machine.may_reverse, machine.min_work_radius_m.value_or(0), machine.front_m, machine.tool_x_m);
   const auto left_m2 = [&](HeadlandCorners corners) {
     Layout layout = laid_out(block, machine, corners);
-    return area_sum_m2(unworked(ground_of(block, machine, with_margin(kMargin_m)), layout, {}));
+    return area_sum_m2(unworked(ground_of(block, machine, kMargin_m), layout, {}));
   };
   CHECK(left_m2(HeadlandCorners::fill) <= left_m2(HeadlandCorners::round));
 }

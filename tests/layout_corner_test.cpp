@@ -32,12 +32,6 @@ double swing_out_m(const Path& path, const Footprint& f) {
   return out;
 }
 
-LayoutOptions with_margin(double edge_margin_m) {
-  LayoutOptions options;
-  options.edge_margin_m = edge_margin_m;
-  return options;
-}
-
 }  // namespace
 
 TEST_CASE("a corner turns by what it should, ends straight and keeps the limits", "[layout]") {
@@ -101,7 +95,7 @@ TEST_CASE("a tip too sharp to be driven round leaves the passes beside its long 
   }
   Block block;
   block.area = block.free = Polygon{ring, {}};
-  const Ground ground = ground_of(block, machine, with_margin(0.1));
+  const Ground ground = ground_of(block, machine, 0.1);
   auto passes = lay_headland(ground, 2);
   std::erase_if(passes, [](const HeadlandPass& pass) { return !pass.closed; });  // into the tip
   REQUIRE(passes.size() == 2);
@@ -129,7 +123,7 @@ TEST_CASE("a corner at which a border leads straight on parts no headland pass",
   const Ring with_corner{{10, 10}, {40, 10}, {90, 10}, {90, 50}, {10, 50}};
   Block block;
   block.area = block.free = Polygon{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, {}};
-  const Ground ground = ground_of(block, machine, with_margin(0.1));
+  const Ground ground = ground_of(block, machine, 0.1);
   const auto lengths_m = [&](const Ring& ring) {
     std::vector<double> lengths;
     for (const HeadlandRun& run : runs_on_edges(ground, ring, 1)) lengths.push_back(length_m(run.path));

@@ -26,15 +26,15 @@ Polygons workable_in(const Block& block, double edge_margin_m) {
 
 }  // namespace
 
-Ground ground_of(const Block& block, const Machine& machine, const LayoutOptions& options) {
+Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m, double border_room_m) {
   const Footprint footprint = footprint_of(machine);
   return {machine,
           footprint,
           free_space(block.free, footprint),
-          workable_in(block, options.edge_margin_m),
+          workable_in(block, edge_margin_m),
           std::max(footprint.half_body_m, footprint.half_tool_m),
-          options.edge_margin_m,
-          options.border_room_m,
+          edge_margin_m,
+          border_room_m,
           Swings{limits_at(machine, machine.turn_speed_mps)}};
 }
 

@@ -64,12 +64,12 @@ Result<Layout> lay_passes_alone(Layout layout, const Block& block, const Ground&
 }  // namespace
 
 int passes_for_turns(const Block& block, const Machine& machine, const LayoutOptions& options) {
-  return passes_for(ground_of(block, machine, options),
+  return passes_for(ground_of(block, machine, options.edge_margin_m),
                     turn_depth_m(machine, machine.working_width_m - options.overlap_m));
 }
 
 Result<Layout> lay_linear(const Block& block, const Machine& machine, const LayoutOptions& options) {
-  const Ground ground = ground_of(block, machine, options);
+  const Ground ground = ground_of(block, machine, options.edge_margin_m, options.border_room_m);
   Layout layout;
   layout.along =
       options.ab ? DrivingDirection::radians(heading_rad(options.ab->b - options.ab->a)) : options.along;

@@ -40,7 +40,7 @@ struct Ground {
   Swings swings;             ///< at turn speed
 };
 
-Ground ground_of(const Block& block, const Machine& machine, const LayoutOptions& options);
+Ground ground_of(const Block& block, const Machine& machine, double edge_margin_m, double border_room_m = 0);
 
 /// Of the piece's part that fits, driven from `from`, what a machine that only drives forwards can get to and
 /// away from; all of it for one that may reverse.

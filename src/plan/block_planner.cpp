@@ -18,7 +18,12 @@ bool covers(const PlannedBlock& planned, double share) {
   return planned.coverage.covered_m2 >= share * area_m2(planned.block.area);
 }
 
+bool is_well_covered(const Result<PlannedBlock>& planned) {
+  return planned && covers(*planned, kPlannedShare);
+}
+
 double covered_m2(const Result<PlannedBlock>& planned) { return planned ? planned->coverage.covered_m2 : 0; }
+
 struct Driven {
   double all_m = 0;
   double work_m = 0;
@@ -81,10 +86,6 @@ Infeasible hardly_covered(const Infeasible& why, const PlannedBlock& best) {
 }
 
 }  // namespace
-
-bool is_well_covered(const Result<PlannedBlock>& planned) {
-  return planned && covers(*planned, kPlannedShare);
-}
 
 bool covers_more(const Result<PlannedBlock>& a, const Result<PlannedBlock>& b) {
   return a && (!b || a->coverage.covered_m2 > b->coverage.covered_m2);

@@ -10,8 +10,7 @@
 
 namespace selion {
 
-/// A block of which nine tenths are covered is planned, else only partly.
-bool is_well_covered(const Result<PlannedBlock>& planned);
+/// False where there is no plan `a`, true where there is no other.
 bool covers_more(const Result<PlannedBlock>& a, const Result<PlannedBlock>& b);
 
 /// Tries layouts of one block, each with what those before have found out about its ground.

@@ -8,8 +8,8 @@
 
 namespace selion {
 
-/// Lays a block out and drives it; with fewer headland passes than the job leaves open, with passes alone, or
-/// with its corners rounded, where that covers more.
+/// Lays a block out and drives it; with fewer headland passes than the job leaves open, with passes alone,
+/// with its corners rounded, or with the outermost passes further off its border, where that covers more.
 Result<PlannedBlock> plan_block(const Block& block, const LocalFrame& frame, const Job& job,
                                 const Progress& progress);
 
