@@ -142,10 +142,10 @@ TEST_CASE("a bent strip a few passes wide is worked along its borders, not by sw
       table<const char*, double>({{"robot-3m", 15}, {"robot-3m", 18}, {"robot-3m", 22}, {"tractor-6m", 18}}));
   CAPTURE(preset, width_m);
   constexpr int kSteps = 64;
-  Ring strip;
+  Ring strip;  // not of quite the same width all along, as none is
   const auto at = [](int step) { return unit(0.9 * std::numbers::pi * step / kSteps); };
   for (int i = 0; i <= kSteps; ++i) strip.push_back(150 * at(i));
-  for (int i = kSteps; i >= 0; --i) strip.push_back((150 - width_m) * at(i));
+  for (int i = kSteps; i >= 0; --i) strip.push_back(Point{0.05, 0} + (150 - width_m) * at(i));
   const Job job = job_of(settings_of_toml(std::string{"[machine]\npreset = \""} + preset + "\"\n", "test"));
 
   const auto planned = plan(field_of_metres({{strip, {}}}), job, Repair::notes_only, no_progress);
